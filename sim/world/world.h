@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hardware/types/pose.h"
+#include "hardware/types/time.h"
+
+namespace horopter::sim {
+
+/// A scene that cannot be loaded or that lacks what is asked of it; `what()` names the file and
+/// MuJoCo's own reason.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// MuJoCo stopped: a NaN state, a full buffer. The run cannot go on.
+class PhysicsError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Two geoms that touch in the current state.
+struct Contact {
+  std::string geom1;
+  std::string geom2;
+  std::string body1;
+  std::string body2;
+  double distance_m = 0;  ///< negative: penetration
+};
+
+/// One MuJoCo model and its state: the physics of a scene.
+///
+/// Owns mjModel and mjData. Frames: W is MuJoCo's world frame, body axes x forward, y left, z up.
+/// MuJoCo's errors and warnings arrive as exceptions and log lines, never as a prompt or a file.
+class World {
+ public:
+  /// @throws SceneError when the file is missing or does not compile.
+  explicit World(const std::filesystem::path& mjcf);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  const mjModel& model() const { return *model_; }
+  const mjData& data() const { return *data_; }
+  /// For set-up (placing bodies, painting textures) and for actuators; Forward() makes it count.
+  mjModel& mutable_model() { return *model_; }
+  mjData& mutable_data() { return *data_; }
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Integer multiple of the time step, so that it never drifts.
+  hardware::Time now() const { return hardware::Time(step_count_ * step_); }
+  hardware::Duration step() const { return step_; }
+
+  /// One physics step, then the kinematics of the new state, so that body, camera and geom poses
+  /// belong to now(). @throws PhysicsError
+  void Step();
+
+  /// Recomputes all that derives from positions and velocities, without advancing time.
+  void Forward();
+
+  /// Back to the model's initial state at time zero.
+  void Reset();
+
+  /// Pose of a named body / camera frame. The camera's axes are optical (x right, y down,
+  /// z forward), not MuJoCo's. @throws SceneError naming the nearest name that exists.
+  hardware::Pose X_WBody(std::string_view body) const;
+  hardware::Pose X_WCamera(std::string_view camera) const;
+
+  /// Id of a named object, type as MuJoCo's mjtObj. @throws SceneError
+  int Id(mjtObj type, std::string_view name) const;
+
+  /// Places a body that is not a child of a joint (static or mocap) and runs Forward().
+  /// @throws SceneError when it has joints.
+  void PlaceBody(std::string_view body, const hardware::Pose& X_WBody);
+
+  std::vector<Contact> Contacts() const;
+
+ private:
+  std::filesystem::path path_;
+  struct ModelDeleter {
+    void operator()(mjModel* m) const;
+  };
+  struct DataDeleter {
+    void operator()(mjData* d) const;
+  };
+  std::unique_ptr<mjModel, ModelDeleter> model_;
+  std::unique_ptr<mjData, DataDeleter> data_;
+  hardware::Duration step_{};
+  std::int64_t step_count_ = 0;
+};
+
+}  // namespace horopter::sim
