@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hardware/types/head_angles.h"
+#include "hardware/types/pose.h"
+#include "hardware/types/time.h"
+
+namespace horopter::scenarios {
+
+enum class Outcome { kPassed, kFailed, kError, kIncomplete };
+enum class ExpectationOutcome { kPassed, kFailed, kNotApplicable };
+
+std::string ToString(Outcome outcome);             ///< passed, failed, error, incomplete
+std::string ToString(ExpectationOutcome outcome);  ///< passed, failed, not_applicable
+
+struct ExpectationResult {
+  std::string name;             ///< the sentence of the scenario
+  std::optional<double> value;  ///< nothing when the metric never had one
+  double limit = 0;
+  std::string unit;
+  ExpectationOutcome outcome = ExpectationOutcome::kNotApplicable;
+  std::string detail;  ///< one sentence when it did not pass
+};
+
+struct StageTiming {
+  double median_ms = 0;
+  double p95_ms = 0;
+  int n = 0;
+};
+
+/// Depth against truth over one frame's valid pixels. Fields are absent where nothing was valid.
+struct DepthScore {
+  double density = 0;                    ///< valid pixels / all pixels
+  std::optional<double> abs_rel_median;  ///< |Z - Z*| / Z*
+  std::optional<double> abs_rel_mean;
+  std::optional<double> bias_m;  ///< mean Z - Z*
+};
+
+/// One vision cycle as it is reported. Everything "true" comes from scoring, never from the stack.
+struct FrameRecord {
+  std::uint64_t index = 0;  ///< from 0, counts vision cycles
+  hardware::Time t_capture{};
+  hardware::Pose2 odometry;                  ///< frame: the robot's start
+  std::optional<hardware::Pose2> true_pose;  ///< same frame
+  hardware::HeadAngles angles;               ///< as read
+  std::string step;                          ///< the step under way, e.g. "goto"
+  std::string decision;                      ///< the navigator's state and why, one line
+  std::optional<DepthScore> depth;
+  std::optional<double> fixation_error_deg;
+  std::optional<double> clearance_m;
+  double disparity_density = 0;
+  int regions = 0;
+};
+
+/// Pictures of one frame, all of one size except where stated. Empty mats are left out.
+struct FrameImages {
+  cv::Mat left_bgr;
+  cv::Mat right_bgr;
+  cv::Mat disparity_bgr;    ///< coloured
+  cv::Mat depth_bgr;        ///< estimated depth, coloured
+  cv::Mat true_depth_bgr;   ///< same colour scale
+  cv::Mat depth_error_bgr;  ///< signed relative error, coloured
+  cv::Mat regions_bgr;      ///< blobs with their depth, as in Figure 5
+};
+
+/// A thing drawn on the plan of the room, in the robot's starting frame.
+struct PlanShape {
+  std::string name;
+  std::string kind;                         ///< wall, furniture, obstacle, board
+  std::vector<std::pair<double, double>> outline_m;  ///< closed polygon
+};
+
+struct PathPoint {
+  double t_s = 0;
+  hardware::Pose2 odometry;
+  std::optional<hardware::Pose2> true_pose;
+};
+
+/// What the plan of the room shows.
+struct PlanRecord {
+  std::vector<PlanShape> shapes;
+  std::vector<PathPoint> path;
+  std::vector<std::pair<double, double>> goals_m;
+  std::vector<std::pair<double, double>> waypoints_m;  ///< intermediate ones
+  double robot_radius_m = 0;
+};
+
+/// A run as summary.json has it.
+struct RunSummary {
+  std::string scenario;
+  std::string description;
+  std::string file;      ///< as given on the command line
+  std::uint64_t seed = 0;
+  std::string backend;
+  Outcome outcome = Outcome::kIncomplete;
+  std::string error;  ///< why outcome is error or incomplete
+  std::vector<ExpectationResult> expectations;
+  std::map<std::string, double> metrics;  ///< every metric that has a value, by its name
+  std::string image_hash;     ///< over all images the stack saw; hex
+  std::string decision_hash;  ///< over all decisions and commands; hex
+  std::map<std::string, StageTiming> timing_ms;
+  double sim_s = 0;
+  double wall_s = 0;
+  std::string gl_renderer;
+  std::map<std::string, std::string> versions;
+  std::string directory;  ///< the run's folder, relative to the suite's
+};
+
+}  // namespace horopter::scenarios
