@@ -6,6 +6,7 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hardware/types/head_angles.h"
@@ -59,7 +60,17 @@ struct FrameRecord {
   int regions = 0;
 };
 
+/// What the ends of a picture's colour scale stand for. One set for a whole run, so that its frames
+/// can be compared by eye.
+struct ColourScales {
+  double near_m = 0.3;           ///< depth, estimated and true; logarithmic in between
+  double far_m = 5.0;            ///< likewise; nearer and farther take the end's colour
+  double disparity_px = 30;      ///< horizontal disparity, from minus to plus this
+  double relative_error = 0.25;  ///< (Z - Z*) / Z*, from minus to plus this
+};
+
 /// Pictures of one frame, all of one size except where stated. Empty mats are left out.
+/// MakeFrameImages() in frame_pictures.h colours them all by one set of scales.
 struct FrameImages {
   cv::Mat left_bgr;
   cv::Mat right_bgr;
@@ -68,6 +79,7 @@ struct FrameImages {
   cv::Mat true_depth_bgr;   ///< same colour scale
   cv::Mat depth_error_bgr;  ///< signed relative error, coloured
   cv::Mat regions_bgr;      ///< blobs with their depth, as in Figure 5
+  ColourScales scales;      ///< that the pictures above were coloured with, for their legends
 };
 
 /// A thing drawn on the plan of the room, in the robot's starting frame.
@@ -106,8 +118,8 @@ struct RunSummary {
   std::string image_hash;     ///< over all images the stack saw; hex
   std::string decision_hash;  ///< over all decisions and commands; hex
   std::map<std::string, StageTiming> timing_ms;
-  double sim_s = 0;
-  double wall_s = 0;
+  std::optional<double> sim_s;   ///< nothing until the run has ended
+  std::optional<double> wall_s;  ///< likewise
   std::string gl_renderer;
   std::map<std::string, std::string> versions;
   std::string directory;  ///< the run's folder, relative to the suite's
