@@ -29,9 +29,10 @@ struct VariationSpec {
   bool textures = true;
 };
 
-/// Pose given to a movable body of the scene.
+/// Pose given to a movable body of the scene, in the robot's starting frame: where the robot is told
+/// that it is, whatever the seed did to its heading.
 struct BodyPlacement {
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< in W
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   double yaw_deg = 0;
 };
 
@@ -41,7 +42,6 @@ struct CameraSpec {
   int height = 240;
   double horizontal_fov_deg = 60;
   std::string sensor = "webcam_vga";  ///< a profile of sim/camera: ideal, webcam_vga
-  double rate_hz = 30;
 };
 
 struct HeadSpec {
