@@ -24,23 +24,23 @@ namespace horopter::control {
 struct NavigatorConfig {
   ObstacleTest obstacle_test = ObstacleTest::kCorridor;
   StripConfig strips;
-  double obstacle_distance_m = 0.9;   ///< an obstacle nearer than this is avoided
-  double avoid_angle_rad = M_PI / 10; ///< of the intermediate waypoint, off the robot's heading
-  double avoid_fraction = 0.5;        ///< its distance, as a part of the remaining distance
-  double avoid_min_m = 0.5;           ///< and the bounds of that distance
+  double obstacle_distance_m = 0.9;    ///< an obstacle nearer than this is avoided
+  double avoid_angle_rad = M_PI / 10;  ///< of the intermediate waypoint, off the robot's heading
+  double avoid_fraction = 0.5;         ///< its distance, as a part of the remaining distance
+  double avoid_min_m = 0.5;            ///< and the bounds of that distance
   double avoid_max_m = 1.0;
   double goal_tolerance_m = 0.08;
 
-  double stop_distance_m = 0.42;      ///< forward motion ends here: rotate to the freer side instead
-  double slow_distance_m = 0.8;       ///< from here to stop_distance_m the speed falls to zero
-  double max_view_age_s = 1.0;        ///< with an older view, or none, the robot stands still
-  double side_switch_ratio = 1.5;     ///< the other side must be this much freer to change sides
-  double side_hold_m = 0.6;           ///< the chosen side is kept until so far driven to the goal
-  double stuck_after_s = 40;          ///< without getting nearer the goal by stuck_progress_m
+  double stop_distance_m = 0.42;   ///< forward motion ends here: rotate to the freer side instead
+  double slow_distance_m = 0.8;    ///< from here to stop_distance_m the speed falls to zero
+  double max_view_age_s = 1.0;     ///< with an older view, or none, the robot stands still
+  double side_switch_ratio = 1.5;  ///< the other side must be this much freer to change sides
+  double side_hold_m = 0.6;        ///< the chosen side is kept until so far driven to the goal
+  double stuck_after_s = 40;       ///< without getting nearer the goal by stuck_progress_m
   double stuck_progress_m = 0.05;
   ObstacleMemoryConfig memory;
 
-  double gaze_min_m = 0.6;            ///< bounds of the fixation distance
+  double gaze_min_m = 0.6;  ///< bounds of the fixation distance
   double gaze_max_m = 1.5;
   double gaze_height_m = 0.10;        ///< height of the gaze target in the base frame
   double gaze_max_bearing_rad = 0.5;  ///< so that what lies straight ahead stays in view
@@ -58,7 +58,7 @@ enum class NavigatorState {
   kAvoiding,  ///< to an intermediate waypoint
   kTurning,   ///< in place, towards the goal or the waypoint
   kReached,
-  kStuck,     ///< gave up: no progress; stays until SetGoal()
+  kStuck,  ///< gave up: no progress; stays until SetGoal()
 };
 
 const char* ToString(NavigatorState state);
@@ -71,8 +71,8 @@ struct NavigatorDecision {
   std::optional<hardware::Pose2> waypoint;  ///< intermediate, in O; heading from the robot to it
   std::optional<Obstacle> obstacle;         ///< the one being avoided, as last seen
   Eigen::Vector3d gaze_B = Eigen::Vector3d::Zero();  ///< where to look, in the base frame [m]
-  double remaining_m = 0;                   ///< to the goal; 0 without one
-  std::string reason;                       ///< one line for people and logs
+  double remaining_m = 0;                            ///< to the goal; 0 without one
+  std::string reason;                                ///< one line for people and logs
 };
 
 /// Drives to a goal round what the cameras see.
@@ -88,7 +88,8 @@ struct NavigatorDecision {
 /// - Memory: what has left the narrow view still stands there for a while.
 /// - Stop distance: never forward into something near ahead; rotate to the freer side instead.
 /// - Blind: no motion before the first view or with one that is too old.
-/// - Side hold: the side is changed only for a clearly freer one, so that the robot does not dither.
+/// - Side hold: the side is changed only for a clearly freer one, so that the robot does not
+/// dither.
 /// - Target in front: what lies beyond the current target is not in its way.
 /// - Stuck: without progress for a while the goal counts as unreachable, and the robot stops.
 ///

@@ -21,22 +21,22 @@ enum class Strip { kLeft, kCentre, kRight };
 
 /// How a view is cut into a left, a central and a right area.
 struct StripConfig {
-  double central_fraction = 0.40;      ///< kCentralImage: of the image width
-  double corridor_half_width_m = 0.20; ///< kCorridor: half the robot's width and a margin
-  int min_pixels = 25;                 ///< a region with fewer in an area does not count there
-  double near_percentile = 0.05;       ///< of a region's distances in an area: the minimum that a
-                                       ///< few wrong pixels cannot make
-  bool edges_count = true;             ///< edge pixels (label 0) form a region of their own: a
-                                       ///< thin or richly textured thing may have no other
+  double central_fraction = 0.40;       ///< kCentralImage: of the image width
+  double corridor_half_width_m = 0.20;  ///< kCorridor: half the robot's width and a margin
+  int min_pixels = 25;                  ///< a region with fewer in an area does not count there
+  double near_percentile = 0.05;        ///< of a region's distances in an area: the minimum that a
+                                        ///< few wrong pixels cannot make
+  bool edges_count = true;              ///< edge pixels (label 0) form a region of their own: a
+                                        ///< thin or richly textured thing may have no other
 
   std::vector<hardware::FieldError> Validate() const;
 };
 
 /// A region as far as it lies in one area.
 struct Obstacle {
-  int label = 0;         ///< of the region; 0: edge pixels; -1: remembered, no longer in view
+  int label = 0;  ///< of the region; 0: edge pixels; -1: remembered, no longer in view
   Strip strip = Strip::kCentre;
-  int count = 0;         ///< pixels with a distance in this area (remembered: cells)
+  int count = 0;  ///< pixels with a distance in this area (remembered: cells)
   double near_m = std::numeric_limits<double>::infinity();  ///< near percentile of distance
 };
 
