@@ -25,7 +25,7 @@ struct BaseState {
 /// What a base is, for whoever plans its motion.
 struct BaseProperties {
   double metres_per_pulse = 0;
-  double effective_track_m = 0;   ///< wheel distance of the unicycle that turns as the base does
+  double effective_track_m = 0;  ///< wheel distance of the unicycle that turns as the base does
   double max_wheel_speed_m_s = 0;
 };
 

@@ -49,18 +49,20 @@ class CameraModel {
   const Distortion& distortion() const { return distortion_; }
   int width() const { return intrinsics_.width; }
   int height() const { return intrinsics_.height; }
+  /// Angle between the image's left and right (top and bottom) edges through the principal point,
+  /// lens distortion aside.
   double horizontal_fov_rad() const;
   double vertical_fov_rad() const;
 
   /// The pixel where a point is seen, which may lie outside the image.
   /// @param p_C point in the optical frame [m]
   /// @return nothing when the point is not in front of the camera (z <= 0 or not finite), or
-  ///         beyond the radius where the distortion polynomial stops growing.
+  ///         beyond the radius where the radial polynomial stops growing.
   std::optional<Eigen::Vector2d> Project(const Eigen::Vector3d& p_C) const;
 
   /// Direction in the optical frame of what is seen at a pixel, with z = 1.
-  /// Inverts the distortion by Newton's method to 1e-12; @return nothing when no direction maps
-  /// to the pixel.
+  /// Inverts the distortion by Newton's method to 1e-12, relative beyond 45 deg; @return nothing
+  /// when no direction maps to the pixel.
   std::optional<Eigen::Vector3d> Unproject(const Eigen::Vector2d& pixel) const;
 
   bool Contains(const Eigen::Vector2d& pixel) const {
@@ -74,6 +76,10 @@ class CameraModel {
  private:
   /// Distorted normalised coordinates of undistorted ones, and optionally the Jacobian.
   Eigen::Vector2d Distort(const Eigen::Vector2d& n, Eigen::Matrix2d* jacobian) const;
+
+  /// Undistorted coordinates whose radial part alone gives `target`, or the nearest there are:
+  /// where Newton's method starts, on the right side of the fold.
+  Eigen::Vector2d InvertRadial(const Eigen::Vector2d& target) const;
 
   Intrinsics intrinsics_;
   Distortion distortion_;

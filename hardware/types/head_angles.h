@@ -38,7 +38,7 @@ inline constexpr std::array<std::string_view, kHeadAxisCount> kHeadAxisNames = {
 using HeadAxisArray = std::array<double, kHeadAxisCount>;
 
 inline HeadAxisArray ToArray(const HeadAngles& a) {
-  return {a.neck.pan_rad,  a.neck.tilt_rad,  a.left.pan_rad,
+  return {a.neck.pan_rad,  a.neck.tilt_rad, a.left.pan_rad,
           a.left.tilt_rad, a.right.pan_rad, a.right.tilt_rad};
 }
 

@@ -44,6 +44,7 @@ class [[nodiscard]] Result {
     return std::get<0>(std::move(state_));
   }
   const T& operator*() const& { return value(); }
+  T&& operator*() && { return std::move(*this).value(); }
   const T* operator->() const { return &value(); }
 
   /// @pre !ok()
