@@ -74,8 +74,9 @@ class World {
   ///         meaningless, and every further step throws too until Reset().
   void Step();
 
-  /// Recomputes all that derives from positions and velocities, without advancing time and without
-  /// any effect on later steps beyond that. @throws PhysicsError
+  /// Recomputes all that derives from positions and velocities, without advancing time. Changes
+  /// nothing else but that MuJoCo normalises the quaternions again, which may move their last bit.
+  /// @throws PhysicsError
   void Forward();
 
   /// Back to the model's initial state at time zero. Bodies stay where PlaceBody() put them.
