@@ -27,6 +27,7 @@ struct ExpectationResult {
   double limit = 0;
   std::string unit;
   ExpectationOutcome outcome = ExpectationOutcome::kNotApplicable;
+  std::string metric;  ///< what it judges, e.g. "clearance"; its limit is drawn into that chart
   std::string detail;  ///< one sentence when it did not pass
 };
 
