@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/runner/behaviour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "control/kinematics/fixate.h"
+
+namespace horopter::scenarios {
+namespace {
+
+using hardware::FromSeconds;
+using hardware::HeadAngles;
+using hardware::Time;
+
+constexpr double kRadians = M_PI / 180;
+
+Eigen::Vector3d InBase(const hardware::Pose2& X_OB, const Eigen::Vector3d& p_O) {
+  return hardware::ToPose(X_OB).inverse() * p_O;
+}
+
+/// Turns the head to a target that may move with the base, then holds it.
+class HoldGaze : public Behaviour {
+ public:
+  HoldGaze(const BehaviourContext& context, double hold_s) : context_(context), hold_s_(hold_s) {}
+
+  StepOutput Update(const StackState& state) final {
+    StepOutput out;
+    out.head = Target(state, out);
+    if (!out.failure.empty()) {
+      out.done = true;
+      return out;
+    }
+    if (!settled_at_ && Settled(state.angles, *out.head)) settled_at_ = state.t;
+    if (!settled_at_) {
+      out.fixated_O.reset();
+      out.decision = "turning the head";
+      return out;
+    }
+    out.decision = "holding the gaze";
+    out.done = state.t - *settled_at_ >= FromSeconds(hold_s_);
+    return out;
+  }
+
+ protected:
+  const BehaviourContext& context() const { return context_; }
+
+ private:
+  /// Where the axes should be; sets out.failure when they cannot get there.
+  virtual HeadAngles Target(const StackState& state, StepOutput& out) const = 0;
+
+  bool Settled(const HeadAngles& now, const HeadAngles& target) const {
+    const auto a = hardware::ToArray(now), b = hardware::ToArray(target);
+    for (int i = 0; i < hardware::kHeadAxisCount; ++i) {
+      if (context_.limits[i].exists() && std::abs(a[i] - b[i]) > context_.settled_rad) return false;
+    }
+    return true;
+  }
+
+  BehaviourContext context_;
+  double hold_s_;
+  std::optional<Time> settled_at_;
+};
+
+class FixateBehaviour final : public HoldGaze {
+ public:
+  FixateBehaviour(const FixateStep& step, const BehaviourContext& context)
+      : HoldGaze(context, step.hold_s), target_O_(step.target_m) {}
+
+ private:
+  HeadAngles Target(const StackState& state, StepOutput& out) const override {
+    const control::Fixation fixation =
+        control::Fixate(context().geometry, context().limits, state.angles.neck,
+                        InBase(state.X_OB, target_O_));
+    if (!fixation.reachable()) out.failure = "cannot fixate: " + fixation.why;
+    out.fixated_O = target_O_;
+    return fixation.angles;
+  }
+
+  Eigen::Vector3d target_O_;
+};
+
+class LookAtBehaviour final : public HoldGaze {
+ public:
+  LookAtBehaviour(const LookAtStep& step, const BehaviourContext& context)
+      : HoldGaze(context, step.hold_s), target_O_(step.target_m) {}
+
+ private:
+  HeadAngles Target(const StackState& state, StepOutput& out) const override {
+    const control::Fixation fixation =
+        control::Fixate(context().geometry, context().limits, state.angles.neck,
+                        InBase(state.X_OB, target_O_));
+    if (!fixation.reachable()) out.failure = "cannot look there: " + fixation.why;
+    HeadAngles parallel = fixation.angles;
+    parallel.left.pan_rad = parallel.right.pan_rad =
+        (fixation.angles.left.pan_rad + fixation.angles.right.pan_rad) / 2;
+    parallel.left.tilt_rad = parallel.right.tilt_rad =
+        (fixation.angles.left.tilt_rad + fixation.angles.right.tilt_rad) / 2;
+    return parallel;
+  }
+
+  Eigen::Vector3d target_O_;
+};
+
+class SaccadeBehaviour final : public HoldGaze {
+ public:
+  SaccadeBehaviour(const SaccadeStep& step, const BehaviourContext& context)
+      : HoldGaze(context, step.hold_s) {
+    const double half_vergence = step.vergence_deg * kRadians / 2;
+    const hardware::PanTilt version{step.pan_deg * kRadians, step.tilt_deg * kRadians};
+    const bool has_neck = context.limits[static_cast<int>(hardware::HeadAxis::kNeckPan)].exists();
+    if (has_neck) {
+      target_.neck = version;
+    } else {
+      target_.left = target_.right = version;
+    }
+    // Converging eyes turn towards each other: the left one to the right, which is negative.
+    target_.left.pan_rad -= half_vergence;
+    target_.right.pan_rad += half_vergence;
+  }
+
+ private:
+  HeadAngles Target(const StackState&, StepOutput&) const override { return target_; }
+
+  HeadAngles target_;
+};
+
+class WaitBehaviour final : public Behaviour {
+ public:
+  explicit WaitBehaviour(const WaitStep& step) : duration_s_(step.duration_s) {}
+
+  StepOutput Update(const StackState& state) override {
+    if (!until_) until_ = state.t + FromSeconds(duration_s_);
+    StepOutput out;
+    out.decision = "waiting";
+    out.done = state.t >= *until_;
+    return out;
+  }
+
+ private:
+  double duration_s_;
+  std::optional<Time> until_;
+};
+
+class GotoBehaviour final : public Behaviour {
+ public:
+  GotoBehaviour(const GotoStep& step, const BehaviourContext& context,
+                control::Navigator& navigator)
+      : step_(step), context_(context), navigator_(navigator) {}
+
+  StepOutput Update(const StackState& state) override {
+    if (!deadline_) {
+      navigator_.SetGoal(step_.goal_m, step_.tolerance_m);
+      deadline_ = state.t + FromSeconds(step_.timeout_s);
+    }
+    const control::NavigatorDecision decision = navigator_.Update(state.t, state.X_OB);
+    StepOutput out;
+    out.twist = decision.command;
+    out.waypoint_O = decision.waypoint;
+    out.decision = fmt::format("{}: {}", control::ToString(decision.state), decision.reason);
+    const control::Fixation gaze = control::Fixate(context_.geometry, context_.limits,
+                                                   state.angles.neck, decision.gaze_B);
+    out.head = gaze.angles;
+    if (decision.state == control::NavigatorState::kReached) {
+      out.done = true;
+    } else if (decision.state == control::NavigatorState::kStuck) {
+      out.failure = "stuck: " + decision.reason;
+    } else if (state.t >= *deadline_) {
+      out.failure = fmt::format("not there after {:g} s, {:.2f} m left", step_.timeout_s,
+                                decision.remaining_m);
+    }
+    if (!out.failure.empty()) {
+      out.done = true;
+      out.twist = {};
+    }
+    return out;
+  }
+
+ private:
+  GotoStep step_;
+  BehaviourContext context_;
+  control::Navigator& navigator_;
+  std::optional<Time> deadline_;
+};
+
+}  // namespace
+
+std::unique_ptr<Behaviour> MakeBehaviour(const StepAction& action, const BehaviourContext& context,
+                                         control::Navigator& navigator) {
+  struct Maker {
+    const BehaviourContext& context;
+    control::Navigator& navigator;
+    std::unique_ptr<Behaviour> operator()(const GotoStep& s) const {
+      return std::make_unique<GotoBehaviour>(s, context, navigator);
+    }
+    std::unique_ptr<Behaviour> operator()(const FixateStep& s) const {
+      return std::make_unique<FixateBehaviour>(s, context);
+    }
+    std::unique_ptr<Behaviour> operator()(const LookAtStep& s) const {
+      return std::make_unique<LookAtBehaviour>(s, context);
+    }
+    std::unique_ptr<Behaviour> operator()(const SaccadeStep& s) const {
+      return std::make_unique<SaccadeBehaviour>(s, context);
+    }
+    std::unique_ptr<Behaviour> operator()(const WaitStep& s) const {
+      return std::make_unique<WaitBehaviour>(s);
+    }
+  };
+  return std::visit(Maker{context, navigator}, action);
+}
+
+std::string StepName(const StepAction& action) {
+  static constexpr const char* kNames[] = {"goto", "fixate", "look_at", "saccade", "wait"};
+  static_assert(std::variant_size_v<StepAction> == std::size(kNames));
+  return kNames[action.index()];
+}
+
+}  // namespace horopter::scenarios

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/runner/score_book.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "scenarios/format/metric_registry.h"
+#include "scenarios/results/statistics.h"
+
+namespace horopter::scenarios {
+namespace {
+
+/// Every so-manieth scored pixel enters the run's quantiles; a prime, so that it walks over columns.
+constexpr int kStride = 7;
+
+std::optional<double> Mean(const std::vector<double>& sample) {
+  if (sample.empty()) return std::nullopt;
+  return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
+}
+
+bool Scorable(float depth_m, float true_depth_m) {
+  return std::isfinite(depth_m) && std::isfinite(true_depth_m) && true_depth_m > 0;
+}
+
+bool Holds(double value, Comparison comparison, double limit) {
+  switch (comparison) {
+    case Comparison::kAtMost: return value <= limit;
+    case Comparison::kAtLeast: return value >= limit;
+    case Comparison::kLess: return value < limit;
+    case Comparison::kGreater: return value > limit;
+    case Comparison::kEqual: return value == limit;
+  }
+  return false;
+}
+
+/// "reached within D before T": every goal, in the robot's own opinion and in truth.
+void EvaluateReached(const Expectation& expectation, const std::vector<GotoOutcome>& gotos,
+                     ExpectationResult& result) {
+  result.outcome = ExpectationOutcome::kFailed;
+  if (gotos.empty()) {
+    result.detail = "no goto step was begun";
+    return;
+  }
+  result.outcome = ExpectationOutcome::kPassed;
+  for (const GotoOutcome& g : gotos) {
+    const double distance = g.true_distance_m.value_or(std::numeric_limits<double>::infinity());
+    result.value = std::max(result.value.value_or(0), distance);
+    const bool in_time = !expectation.before_s || g.duration_s <= *expectation.before_s;
+    if (g.reached && distance <= expectation.limit && in_time) continue;
+    result.outcome = ExpectationOutcome::kFailed;
+    if (result.detail.empty()) {
+      result.detail = fmt::format("{} after {:.1f} s, {:.3f} m from the goal",
+                                  g.reached ? "said it had arrived" : "gave up", g.duration_s,
+                                  distance);
+    }
+  }
+}
+
+}  // namespace
+
+DepthScore ScoreDepth(const cv::Mat1f& depth_m, const cv::Mat1f& true_depth_m) {
+  DepthScore score;
+  std::vector<double> abs_rel;
+  double bias = 0;
+  int estimated = 0;
+  for (int y = 0; y < depth_m.rows; ++y) {
+    for (int x = 0; x < depth_m.cols; ++x) {
+      const float estimate = depth_m(y, x), truth = true_depth_m(y, x);
+      estimated += std::isfinite(estimate);
+      if (!Scorable(estimate, truth)) continue;
+      abs_rel.push_back(std::abs(estimate - truth) / truth);
+      bias += static_cast<double>(estimate) - truth;
+    }
+  }
+  score.density = static_cast<double>(estimated) / static_cast<double>(depth_m.total());
+  if (!abs_rel.empty()) {
+    score.bias_m = bias / static_cast<double>(abs_rel.size());
+    score.abs_rel_mean = Mean(abs_rel);
+    score.abs_rel_median = Median(std::move(abs_rel));
+  }
+  return score;
+}
+
+void ScoreBook::AddTick(const Tick& tick) {
+  if (tick.clearance_m) {
+    clearance_m_ = std::min(clearance_m_.value_or(*tick.clearance_m), *tick.clearance_m);
+  }
+  if (tick.contacts) contacts_ = tick.contacts;
+  if (tick.fixation_error_deg) fixation_errors_deg_.push_back(*tick.fixation_error_deg);
+  if (!tick.true_pose) return;
+  if (last_true_) {
+    path_m_ += std::hypot(tick.true_pose->x_m - last_true_->x_m,
+                          tick.true_pose->y_m - last_true_->y_m);
+  }
+  last_true_ = tick.true_pose;
+  odometry_error_m_ = std::hypot(tick.true_pose->x_m - tick.odometry.x_m,
+                                 tick.true_pose->y_m - tick.odometry.y_m);
+}
+
+void ScoreBook::AddFrame(const DepthScore& score, const cv::Mat1f& depth_m,
+                         const FrameTruth& truth, bool fixating) {
+  densities_.push_back(score.density);
+  if (score.abs_rel_median) frame_medians_.push_back(*score.abs_rel_median);
+  if (score.bias_m) biases_m_.push_back(*score.bias_m);
+  int count = 0;
+  for (int y = 0; y < depth_m.rows; ++y) {
+    for (int x = 0; x < depth_m.cols; ++x) {
+      const float estimate = depth_m(y, x), true_m = truth.depth_m(y, x);
+      if (!Scorable(estimate, true_m) || ++count % kStride != 0) continue;
+      abs_rel_.push_back(std::abs(estimate - true_m) / true_m);
+    }
+  }
+  if (fixating && !truth.board.empty()) AddBoard(depth_m, truth);
+}
+
+void ScoreBook::AddBoard(const cv::Mat1f& depth_m, const FrameTruth& truth) {
+  for (int y = 0; y < depth_m.rows; ++y) {
+    for (int x = 0; x < depth_m.cols; ++x) {
+      if (truth.board(y, x) == 0 || !Scorable(depth_m(y, x), truth.depth_m(y, x))) continue;
+      const double error = static_cast<double>(depth_m(y, x)) - truth.depth_m(y, x);
+      board_sum_m_ += error;
+      board_square_m2_ += error * error;
+      ++board_pixels_;
+    }
+  }
+}
+
+std::map<std::string, double> ScoreBook::Metrics() const {
+  std::map<std::string, double> metrics;
+  const auto add = [&metrics](const char* name, std::optional<double> value) {
+    if (value) metrics[name] = *value;
+  };
+  add("clearance", clearance_m_);
+  if (contacts_) metrics["contacts"] = *contacts_;
+  if (last_true_) metrics["path_length"] = path_m_;
+  add("odometry.error", odometry_error_m_);
+  if (!gotos_.empty()) {
+    add("reached", gotos_.back().true_distance_m);
+    double total_s = 0;
+    bool all = true;
+    for (const GotoOutcome& g : gotos_) {
+      total_s += g.duration_s;
+      all = all && g.reached;
+    }
+    if (all) metrics["time_to_goal"] = total_s;
+  }
+
+  const std::vector<double> abs_rel(abs_rel_.begin(), abs_rel_.end());
+  add("depth.abs_rel.median", Median(abs_rel));
+  add("depth.abs_rel.mean", Mean(abs_rel));
+  add("depth.abs_rel.p95", Percentile95(abs_rel));
+  add("depth.density", Mean(densities_));
+  add("depth.bias", Mean(biases_m_));
+  if (board_pixels_ > 0) {
+    const double n = static_cast<double>(board_pixels_);
+    const double mean = board_sum_m_ / n;
+    metrics["board.depth_error.mean"] = std::abs(mean);
+    metrics["board.depth_error.std"] = std::sqrt(std::max(0.0, board_square_m2_ / n - mean * mean));
+  }
+
+  add("fixation.error_deg.mean", Mean(fixation_errors_deg_));
+  add("fixation.error_deg.median", Median(fixation_errors_deg_));
+  add("fixation.error_deg.p95", Percentile95(fixation_errors_deg_));
+  if (!fixation_errors_deg_.empty()) {
+    metrics["fixation.error_deg.max"] =
+        *std::max_element(fixation_errors_deg_.begin(), fixation_errors_deg_.end());
+  }
+  return metrics;
+}
+
+ExpectationResult Evaluate(const Expectation& expectation, const ScoreBook& book,
+                           const std::map<std::string, double>& metrics, bool has_truth) {
+  ExpectationResult result;
+  result.name = expectation.text;
+  result.limit = expectation.limit;
+  result.unit = expectation.unit;
+  const Metric* metric = FindMetric(expectation.metric);
+  if (metric != nullptr && metric->needs_truth && !has_truth) {
+    result.detail = "this backend has no truth to hold it against";
+    return result;
+  }
+  if (expectation.metric == "reached" && expectation.before_s) {
+    EvaluateReached(expectation, book.gotos(), result);
+    return result;
+  }
+  const auto found = metrics.find(expectation.metric);
+  if (found == metrics.end()) {
+    result.outcome = ExpectationOutcome::kFailed;
+    result.detail = "nothing was measured";
+    return result;
+  }
+  result.value = found->second;
+  const bool holds = Holds(found->second, expectation.comparison, expectation.limit);
+  result.outcome = holds ? ExpectationOutcome::kPassed : ExpectationOutcome::kFailed;
+  return result;
+}
+
+}  // namespace horopter::scenarios

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/runner/session.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "control/base/wheel_speeds.h"
+#include "scenarios/results/frame_pictures.h"
+
+namespace horopter::scenarios {
+namespace {
+
+using hardware::Duration;
+using hardware::FromSeconds;
+using hardware::Result;
+using hardware::Time;
+using hardware::ToSeconds;
+
+constexpr Duration kControlPeriod = std::chrono::milliseconds(20);
+constexpr int kTicksPerPathPoint = 5;
+constexpr Duration kPicturePeriod = std::chrono::seconds(2);
+
+/// Encoder steps by which a settled axis may miss its command.
+constexpr double kSettledSteps = 2.5;
+
+template <typename T>
+T Demand(Result<T> result, const char* what) {
+  if (!result.ok()) throw DeviceFailure(fmt::format("{}: {}", what, result.error().message));
+  return std::move(result).value();
+}
+
+void Demand(const Result<void>& result, const char* what) {
+  if (!result.ok()) throw DeviceFailure(fmt::format("{}: {}", what, result.error().message));
+}
+
+hardware::PerEye<hardware::CameraModel> Models(const hardware::CameraPair& cameras) {
+  return {cameras.model(hardware::Eye::kLeft), cameras.model(hardware::Eye::kRight)};
+}
+
+control::NavigatorConfig NavigatorConfigOf(const NavigationSpec& spec) {
+  control::NavigatorConfig config;
+  config.obstacle_test = spec.obstacle_test == "central_image" ? control::ObstacleTest::kCentralImage
+                                                               : control::ObstacleTest::kCorridor;
+  config.obstacle_distance_m = spec.obstacle_limit_m;
+  config.controller.linear.max_output = spec.cruise_speed_m_s;
+  return config;
+}
+
+BehaviourContext ContextOf(const Scenario& scenario, const RobotDescription& robot) {
+  constexpr double kRadians = M_PI / 180;
+  return {robot.head_geometry, robot.head_limits,
+          kSettledSteps * (scenario.head.encoder_step_deg + scenario.head.encoder_noise_deg) *
+              kRadians};
+}
+
+}  // namespace
+
+Session::Session(const Scenario& scenario, const RobotDescription& robot, Backend& backend,
+                 RunWriter& writer, hardware::StageTimes& times, RunHooks hooks)
+    : scenario_(scenario),
+      robot_(robot),
+      backend_(backend),
+      writer_(writer),
+      times_(times),
+      hooks_(std::move(hooks)),
+      vision_(scenario.vision, Models(backend.cameras()), robot.head_geometry),
+      odometry_(backend.base().properties()),
+      navigator_(NavigatorConfigOf(scenario.navigation)),
+      context_(ContextOf(scenario, robot)) {
+  if (TruthProbe* truth = backend_.truth()) plan_ = truth->Plan();
+  plan_.robot_radius_m = robot.radius_m;
+}
+
+Session::Ending Session::Run() {
+  Ending ending;
+  hardware::Device* const devices[] = {&backend_.head(), &backend_.cameras(), &backend_.base()};
+  for (hardware::Device* device : devices) {
+    Demand(device->Configure(), "configuring");
+    Demand(device->Activate(), "activating");
+  }
+  for (const Step& step : scenario_.steps) {
+    const std::string name = StepName(step.action);
+    const auto behaviour = MakeBehaviour(step.action, context_, navigator_);
+    const Time begun = next_tick_;
+    StepOutput output;
+    while (!output.done && !ending.interrupted && ending.failure.empty()) {
+      output = Tick(*behaviour, name);
+      ending.interrupted = hooks_.interrupted();
+      if (ToSeconds(next_tick_) > scenario_.time_limit_s) {
+        ending.failure = fmt::format("the scenario's time limit of {:g} s has passed during {}",
+                                     scenario_.time_limit_s, name);
+      }
+    }
+    if (const auto* go = std::get_if<GotoStep>(&step.action)) FinishGoto(*go, output, begun);
+    if (!output.failure.empty()) ending.failure = name + ": " + output.failure;
+    if (ending.interrupted || !ending.failure.empty()) break;
+  }
+  for (hardware::Device* device : devices) device->Deactivate();
+  return ending;
+}
+
+StepOutput Session::Tick(Behaviour& behaviour, const std::string& step_name) {
+  backend_.clock().SleepUntil(next_tick_);
+  StackState state = Read();
+  if (state.t >= next_view_) See(state, step_name);
+  Deliver(state);
+  const StepOutput output =
+      times_.Measure("navigation", [&] { return behaviour.Update(state); });
+  Write(output);
+  Record(state, output);
+  next_tick_ += kControlPeriod;
+  hooks_.progress(ToSeconds(state.t), step_name);
+  return output;
+}
+
+StackState Session::Read() {
+  StackState state;
+  state.t = backend_.clock().Now();
+  const hardware::BaseState base = Demand(backend_.base().Read(), "reading the base");
+  state.X_OB = odometry_.Update(base);
+  state.angles = Demand(backend_.head().Read(), "reading the head").angles;
+  return state;
+}
+
+void Session::See(const StackState& state, const std::string& step_name) {
+  next_view_ += FromSeconds(1 / scenario_.vision.rate_hz);
+  const hardware::StereoFrame frame = Demand(backend_.cameras().Grab(), "grabbing a frame");
+  image_hash_.Update(frame.left.bgr);
+  image_hash_.Update(frame.right.bgr);
+  VisionResult result = vision_.Run(frame, state.angles, times_);
+
+  FrameRecord record;
+  record.index = frames_;
+  record.t_capture = frame.left.t_capture;
+  record.odometry = state.X_OB;
+  record.angles = state.angles;
+  record.step = step_name;
+  record.decision = last_decision_;
+  record.disparity_density = cv::countNonZero(result.disparity.valid) /
+                             static_cast<double>(result.disparity.valid.total());
+  record.regions = static_cast<int>(result.regions.regions.size());
+  FrameTruth truth;
+  if (TruthProbe* probe = backend_.truth()) {
+    truth = probe->AtCapture(frame);
+    record.true_pose = probe->X_OB();
+    record.clearance_m = probe->Clearance();
+    record.depth = ScoreDepth(result.depth_m, truth.depth_m);
+    book_.AddFrame(*record.depth, result.depth_m, truth, fixating_);
+  }
+  const bool picture = frames_ == 0 || fixating_ ||
+                       record.t_capture - last_picture_ >= kPicturePeriod;
+  if (picture) {
+    last_picture_ = record.t_capture;
+    writer_.AddFrame(record, MakeFrameImages(frame, result.disparity, result.depth_m,
+                                             truth.depth_m, result.regions));
+  } else {
+    writer_.AddFrame(record);
+  }
+  ++frames_;
+  pending_ = Pending{control::MakeSceneView(result.t_capture, std::move(result.regions),
+                                            result.points_B, {}),
+                     state.X_OB, state.t + FromSeconds(scenario_.vision.latency_s)};
+}
+
+void Session::Deliver(StackState& state) {
+  if (!pending_ || state.t < pending_->due) return;
+  times_.Measure("navigation view",
+                 [&] { navigator_.OnView(pending_->view, pending_->X_OB_at_capture); });
+  pending_.reset();
+}
+
+void Session::Write(const StepOutput& output) {
+  Demand(backend_.base().Command(control::ToWheelSpeeds(output.twist, backend_.base().properties())),
+         "commanding the base");
+  if (output.head) Demand(backend_.head().Command(*output.head), "commanding the head");
+}
+
+void Session::Record(const StackState& state, const StepOutput& output) {
+  decision_hash_.Update(output.decision);
+  decision_hash_.Update(output.twist.forward_m_s);
+  decision_hash_.Update(output.twist.turn_rad_s);
+  if (output.head) {
+    for (const double angle : hardware::ToArray(*output.head)) decision_hash_.Update(angle);
+  }
+  last_decision_ = output.decision;
+  fixating_ = output.fixated_O.has_value();
+
+  ScoreBook::Tick tick;
+  tick.odometry = state.X_OB;
+  if (TruthProbe* truth = backend_.truth()) {
+    tick.true_pose = truth->X_OB();
+    tick.clearance_m = truth->Clearance();
+    tick.contacts = truth->contacts();
+    if (output.fixated_O) tick.fixation_error_deg = truth->FixationErrorDeg(*output.fixated_O);
+  }
+  book_.AddTick(tick);
+  if (ticks_++ % kTicksPerPathPoint == 0) {
+    const PathPoint point{ToSeconds(state.t), state.X_OB, tick.true_pose};
+    writer_.AddPathPoint(point);
+    plan_.path.push_back(point);
+  }
+  if (output.waypoint_O) {
+    const std::pair waypoint(output.waypoint_O->x_m, output.waypoint_O->y_m);
+    if (plan_.waypoints_m.empty() || plan_.waypoints_m.back() != waypoint) {
+      plan_.waypoints_m.push_back(waypoint);
+    }
+  }
+}
+
+void Session::FinishGoto(const GotoStep& step, const StepOutput& last, Time begun) {
+  plan_.goals_m.emplace_back(step.goal_m.x(), step.goal_m.y());
+  GotoOutcome outcome;
+  outcome.reached = last.done && last.failure.empty();
+  outcome.duration_s = ToSeconds(next_tick_ - begun);
+  if (TruthProbe* truth = backend_.truth()) {
+    const hardware::Pose2 X_OB = truth->X_OB();
+    outcome.true_distance_m = std::hypot(X_OB.x_m - step.goal_m.x(), X_OB.y_m - step.goal_m.y());
+  }
+  book_.AddGoto(outcome);
+}
+
+}  // namespace horopter::scenarios

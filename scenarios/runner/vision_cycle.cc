@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/runner/vision_cycle.h"
+
+#include <utility>
+
+#include "control/kinematics/head_kinematics.h"
+#include "control/navigator/obstacle_points.h"
+#include "vision/reconstruction/reconstruct.h"
+#include "vision/regions/extract_regions.h"
+#include "vision/segmentation/colour_edges.h"
+
+namespace horopter::scenarios {
+
+VisionCycle::VisionCycle(const VisionSpec& spec,
+                         const hardware::PerEye<hardware::CameraModel>& cameras,
+                         const hardware::HeadGeometry& geometry)
+    : spec_(spec), cameras_(cameras), geometry_(geometry) {
+  estimator_ = vision::CreateDisparityEstimator(spec.method, spec.preset);
+}
+
+VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
+                              const hardware::HeadAngles& angles,
+                              hardware::StageTimes& times) const {
+  VisionResult result;
+  result.t_capture = frame.left.t_capture;
+
+  // Where: the match of every left pixel, and from it a point.
+  result.disparity = times.Measure(
+      "disparity", [&] { return estimator_->Estimate(frame.left.bgr, frame.right.bgr); });
+  const vision::PointField points_H = times.Measure("reconstruction", [&] {
+    return vision::Reconstruct(result.disparity, cameras_, angles, geometry_.baseline_m);
+  });
+  result.points_B =
+      vision::Transformed(points_H, control::HeadPose(geometry_, angles.neck));
+  result.depth_m = vision::DepthAlongAxis(
+      result.points_B, control::EyePose(geometry_, angles, hardware::Eye::kLeft));
+
+  // What: surfaces bounded by colour edges, each with the depth of what could be hit on it.
+  const cv::Mat1b interior = times.Measure("segmentation", [&] {
+    return vision::SegmentByColourEdges(frame.left.bgr, {spec_.median_px, spec_.edge_threshold});
+  });
+  result.regions = times.Measure("regions", [&] {
+    return vision::ExtractRegions(interior, frame.left.bgr,
+                                  control::ObstacleDepth(result.points_B, {}));
+  });
+  return result;
+}
+
+}  // namespace horopter::scenarios
