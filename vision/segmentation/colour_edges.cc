@@ -74,8 +74,12 @@ cv::Mat1b FindColourEdges(const cv::Mat& bgr, const ColourEdgesConfig& config) {
                                 cv::typeToString(bgr.type()) + " of " + std::to_string(bgr.cols) +
                                 "x" + std::to_string(bgr.rows));
   }
-  cv::Mat smooth = bgr;
-  if (config.median_px > 1) cv::medianBlur(bgr, smooth, config.median_px);
+  cv::Mat smooth;
+  if (config.median_px > 1) {
+    cv::medianBlur(bgr, smooth, config.median_px);
+  } else {
+    smooth = bgr;
+  }
   if (config.kernel == GradientKernel::kCentral) {
     return Threshold(smooth, config.threshold, CentralNorm);
   }
