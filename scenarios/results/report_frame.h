@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 
@@ -25,5 +26,9 @@ struct ReportFrame {
   ColourScales scales;
   std::vector<Picture> pictures;
 };
+
+/// Indices of at most `most` of `count` things, evenly spread, the first and the last among them
+/// (the last alone when most is 1). @pre most >= 1
+std::vector<std::size_t> EvenlySpaced(std::size_t count, std::size_t most);
 
 }  // namespace horopter::scenarios

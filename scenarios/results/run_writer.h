@@ -55,6 +55,7 @@ class RunWriter {
 
  private:
   std::filesystem::path folder_;
+  std::string resolved_scenario_;
   AppendFile frames_csv_;
   AppendFile trajectory_csv_;
   std::vector<FrameRecord> frames_;

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/results/frame_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/results/colourise.h"
+#include "scenarios/results/html.h"
+#include "scenarios/results/report_style.h"
+#include "scenarios/results/text.h"
+
+namespace horopter::scenarios {
+namespace {
+
+std::string Gradient(ColourMap map) {
+  std::string css = "linear-gradient(to right";
+  constexpr int kStops = 16;
+  for (int i = 0; i <= kStops; ++i) {
+    const cv::Vec3b bgr = MapColour(map, static_cast<double>(i) / kStops);
+    css += fmt::format(",#{:02x}{:02x}{:02x}", bgr[2], bgr[1], bgr[0]);
+  }
+  return css + ")";
+}
+
+std::string Legend(ColourMap map, const std::string& low, const std::string& middle,
+                   const std::string& high) {
+  return fmt::format(
+      "<div class=\"legend\" aria-hidden=\"true\"><i style=\"background:{}\"></i>"
+      "<i class=\"none\"></i><div><span>{}</span><span>{}</span><span>{}</span></div>"
+      "<span>none</span></div>",
+      Gradient(map), low, middle, high);
+}
+
+std::string DepthLegend(const ColourScales& scales) {
+  return Legend(ColourMap::kDepth, Quantity(scales.near_m, "m"),
+                Quantity(std::sqrt(scales.near_m * scales.far_m), "m"),
+                Quantity(scales.far_m, "m"));
+}
+
+std::string SignedLegend(ColourMap map, double limit, const char* unit, const char* low,
+                         const char* high) {
+  return Legend(map, fmt::format("\u2212{} {}", Quantity(limit, unit), low), "0",
+                fmt::format("+{} {}", Quantity(limit, unit), high));
+}
+
+struct Caption {
+  const char* title;
+  std::string legend;
+};
+
+Caption CaptionOf(PictureKind kind, const ColourScales& scales) {
+  switch (kind) {
+    case PictureKind::kLeft: return {"Left eye", ""};
+    case PictureKind::kRight: return {"Right eye", ""};
+    case PictureKind::kRegions:
+      return {"Regions, tinted and labelled with their mean depth", DepthLegend(scales)};
+    case PictureKind::kDisparity:
+      return {"Horizontal disparity (white: the horopter)",
+              SignedLegend(ColourMap::kDisparity, scales.disparity_px, "px", "nearer", "farther")};
+    case PictureKind::kDepth: return {"Estimated depth", DepthLegend(scales)};
+    case PictureKind::kTrueDepth: return {"True depth", DepthLegend(scales)};
+    case PictureKind::kDepthError:
+      return {"Relative depth error",
+              SignedLegend(ColourMap::kSignedError, 100 * scales.relative_error, "%", "too near",
+                           "too far")};
+  }
+  return {"", ""};
+}
+
+std::string Figure(const EmbeddedFrame& frame, const EmbeddedFrame::Picture& picture) {
+  const Caption caption = CaptionOf(picture.kind, frame.scales);
+  return fmt::format(
+      "<figure><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}, frame {}\">"
+      "<figcaption>{}{}</figcaption></figure>\n",
+      picture.data_uri, picture.width, picture.height, caption.title, frame.record.index,
+      caption.title, caption.legend);
+}
+
+bool ShowsDepth(PictureKind kind) {
+  return kind == PictureKind::kDepth || kind == PictureKind::kTrueDepth ||
+         kind == PictureKind::kDepthError;
+}
+
+std::string Row(const EmbeddedFrame& frame, const char* title, bool depth) {
+  std::string figures;
+  for (const EmbeddedFrame::Picture& picture : frame.pictures) {
+    if (ShowsDepth(picture.kind) == depth) figures += Figure(frame, picture);
+  }
+  if (figures.empty()) return "";
+  return fmt::format("<h3>{}</h3><div class=\"pictures\">\n{}</div>\n", title, figures);
+}
+
+std::string DepthSentence(const FrameRecord& record) {
+  if (!record.depth) return "no truth to judge its depth by";
+  const DepthScore& depth = *record.depth;
+  if (!depth.abs_rel_median) return "no pixel with a depth to judge";
+  return fmt::format("{:.0f} % of pixels have a depth; half of them are within {} % of the truth, "
+                     "on average {} m {}",
+                     100 * depth.density, ShortNumber(100 * *depth.abs_rel_median),
+                     fmt::format("{:.3f}", std::abs(depth.bias_m.value_or(0))),
+                     depth.bias_m.value_or(0) < 0 ? "too near" : "too far");
+}
+
+std::string Facts(const FrameRecord& record) {
+  std::string facts = "<ul class=\"facts\">";
+  const auto add = [&](const char* name, const std::string& value) {
+    facts += fmt::format("<li><span>{}</span> <b>{}</b></li>", name, value);
+  };
+  if (record.clearance_m) add("clearance", Quantity(record.clearance_m, "m"));
+  if (record.fixation_error_deg) add("fixation error", Quantity(record.fixation_error_deg, "deg"));
+  add("regions", std::to_string(record.regions));
+  const auto degrees = [](double rad) { return fmt::format("{:.1f}", rad * 180 / M_PI); };
+  const auto eye = [&](const hardware::PanTilt& angles) {
+    return fmt::format("{}, {} deg", degrees(angles.pan_rad), degrees(angles.tilt_rad));
+  };
+  add("left eye pan, tilt", eye(record.angles.left));
+  add("right eye", eye(record.angles.right));
+  if (record.angles.neck.pan_rad != 0 || record.angles.neck.tilt_rad != 0) {
+    add("neck", eye(record.angles.neck));
+  }
+  return facts + "</ul>\n";
+}
+
+std::string Article(const EmbeddedFrame& frame) {
+  const FrameRecord& record = frame.record;
+  std::string html = fmt::format(
+      "<article class=\"frame\" id=\"frame-{0}\">\n<p class=\"frame-title\">{1:.2f} s "
+      "<span>frame {0}{2}{3}</span></p>\n",
+      record.index, hardware::ToSeconds(record.t_capture),
+      record.step.empty() ? "" : " \u00b7 " + EscapeHtml(record.step),
+      record.decision.empty() ? "" : " \u00b7 " + EscapeHtml(record.decision));
+  html += Facts(record);
+  html += Row(frame, "What it saw", false);
+  const std::string error_title =
+      "How wrong its depth was: " + EscapeHtml(DepthSentence(record));
+  html += Row(frame, error_title.c_str(), true);
+  return html + "</article>\n";
+}
+
+}  // namespace
+
+std::string FrameSection(const std::vector<EmbeddedFrame>& frames) {
+  std::string html =
+      "<section class=\"card\">\n<h2>What it saw, and how wrong its depth was</h2>\n";
+  if (frames.empty()) {
+    return html + "<p class=\"empty\">No frame with pictures was kept in this run.</p></section>\n";
+  }
+  for (const EmbeddedFrame& frame : frames) html += Article(frame);
+  return html + fmt::format("<script>{}</script>\n</section>\n", FrameSliderScript());
+}
+
+}  // namespace horopter::scenarios
