@@ -130,6 +130,7 @@ class Renderer::Gl {
 
  private:
   using ReadPixels = void(APIENTRY*)(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*);
+  using Finish = void(APIENTRY*)();
   using GetIntegerv = void(APIENTRY*)(GLenum, GLint*);
 
   template <typename Function>
@@ -144,6 +145,7 @@ class Renderer::Gl {
   World& world_;
   std::unique_ptr<GlContext> context_;
   ReadPixels read_pixels_;
+  Finish finish_;
   mjvOption option_ = CameraOption();
   Scene scene_;
   mjrContext mujoco_{};
@@ -156,6 +158,7 @@ Renderer::Gl::Gl(World& world, const RendererOptions& options)
       scene_(world.model(), world.model().ngeom + kSpareGeoms) {
   context_->MakeCurrent();
   read_pixels_ = Load<ReadPixels>("glReadPixels");
+  finish_ = Load<Finish>("glFinish");
   CheckSize(options);
   mjr_defaultContext(&mujoco_);
   // MuJoCo takes the buffer's size and samples from the model. A multisampled depth or id would be
@@ -219,6 +222,7 @@ void Renderer::Gl::UpdateScene(const mjvGLCamera& camera) {
 void Renderer::Gl::Draw(int width, int height, bool numbers) {
   scene_.flags[mjRND_SEGMENT] = scene_.flags[mjRND_IDCOLOR] = numbers ? 1 : 0;
   mjr_render({0, 0, width, height}, &scene_, &mujoco_);
+  finish_();  // llvmpipe would draw while the read-back is timed
 }
 
 void Renderer::Gl::Read(int width, int height, GLenum format, GLenum type) {
