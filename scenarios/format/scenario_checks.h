@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "scenarios/format/field_parser.h"
+#include "scenarios/format/scenario.h"
+
+namespace horopter::scenarios {
+
+/// What no single field shows: that scene and robot exist, that the head can look at the targets,
+/// that an expectation has a step to judge.
+/// @param root place of the document, for what has none of its own
+/// @param scenes_dir empty: scene, robot and the robot's limits are passed over
+void CheckScenario(const Scenario& scenario, const SourceMark& root,
+                   const std::filesystem::path& scenes_dir, ParseReport& report);
+
+}  // namespace horopter::scenarios
