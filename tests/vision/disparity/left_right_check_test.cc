@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/disparity/left_right_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace horopter::vision {
+namespace {
+
+DisparityField Uniform(cv::Size size, float dx, float dy) {
+  return {cv::Mat1f(size, dx), cv::Mat1f(size, dy), cv::Mat1f(size, 1.0F),
+          cv::Mat1b(size, static_cast<unsigned char>(255))};
+}
+
+TEST(LeftRightCheck, KeepsWhatLeadsBackAndDropsWhatDoesNot) {
+  const cv::Size size(20, 10);
+  DisparityField field = Uniform(size, 3, -1);
+  DisparityField back = Uniform(size, -3.5F, 1.5F);
+  back.dx(4, 8) = -5;   // misses left pixel (5, 5) by 2 px
+  back.valid(6, 12) = 0;  // nothing is known where left pixel (9, 7) goes
+  CheckLeftRight(back, 1, field);
+  EXPECT_EQ(field.valid(5, 6), 255);
+  EXPECT_EQ(field.valid(5, 5), 0);
+  EXPECT_EQ(field.valid(7, 9), 0);
+  EXPECT_EQ(field.valid(5, 17), 0) << "its match lies right of the image";
+  EXPECT_EQ(field.valid(0, 5), 0) << "its match lies above the image";
+}
+
+TEST(LeftRightCheck, DistanceIsOfTheVector) {
+  DisparityField field = Uniform({5, 5}, 0, 0);
+  CheckLeftRight(Uniform({5, 5}, 0.8F, 0.8F), 1, field);
+  EXPECT_EQ(field.valid(2, 2), 0);
+  field = Uniform({5, 5}, 0, 0);
+  CheckLeftRight(Uniform({5, 5}, 0.7F, 0.7F), 1, field);
+  EXPECT_EQ(field.valid(2, 2), 255);
+}
+
+TEST(InvalidateOutside, KeepsMatchesUpToTheLastPixelCentre) {
+  DisparityField field = Uniform({5, 3}, 2, 0);
+  InvalidateOutside(field);
+  EXPECT_EQ(field.valid(1, 2), 255);
+  EXPECT_EQ(field.valid(1, 3), 0);
+}
+
+TEST(BlankInvalid, WritesNaNExactlyWhereInvalid) {
+  DisparityField field = Uniform({4, 4}, 1, 2);
+  field.valid(1, 2) = 0;
+  BlankInvalid(field);
+  EXPECT_TRUE(std::isnan(field.dx(1, 2)) && std::isnan(field.dy(1, 2)));
+  EXPECT_EQ(field.confidence(1, 2), 0);
+  EXPECT_EQ(field.dx(0, 0), 1);
+  EXPECT_EQ(field.dy(0, 0), 2);
+}
+
+}  // namespace
+}  // namespace horopter::vision

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "real_pair.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace horopter::vision::testing {
+namespace {
+
+/// Right camera of Middlebury's Motorcycle at the size that scikit-image ships.
+const cv::Matx33d kRightCamera(994.978, 0, 311.193 + 31.086, 0, 994.978, 254.877, 0, 0, 1);
+
+cv::Matx33d TurnHomography(const EyeTurn& turn) {
+  const double pan = turn.pan_deg * CV_PI / 180;
+  const double tilt = turn.tilt_deg * CV_PI / 180;
+  const double roll = turn.roll_deg * CV_PI / 180;
+  const cv::Matx33d about_y(std::cos(pan), 0, std::sin(pan), 0, 1, 0, -std::sin(pan), 0,
+                            std::cos(pan));
+  const cv::Matx33d about_x(1, 0, 0, 0, std::cos(tilt), -std::sin(tilt), 0, std::sin(tilt),
+                            std::cos(tilt));
+  const cv::Matx33d about_z(std::cos(roll), -std::sin(roll), 0, std::sin(roll), std::cos(roll), 0,
+                            0, 0, 1);
+  return kRightCamera * about_z * about_x * about_y * kRightCamera.inv();
+}
+
+cv::Mat ReadImage(const std::string& path) {
+  cv::Mat image = cv::imread(path, cv::IMREAD_COLOR);
+  if (image.empty()) throw std::runtime_error(path + ": cannot be read as an image");
+  return image;
+}
+
+}  // namespace
+
+std::optional<std::string> DataFolder() {
+  const char* named = std::getenv("HOROPTER_DATA_DIR");
+  const std::string folder =
+      named != nullptr ? named : std::string(HOROPTER_SOURCE_DIR) + "/../shared/data";
+  if (!std::filesystem::exists(folder + "/motorcycle/disparity.pfm")) return std::nullopt;
+  return folder;
+}
+
+cv::Mat1f ReadPfm(const std::string& path) {
+  static_assert(std::endian::native == std::endian::little);
+  std::ifstream file(path, std::ios::binary);
+  std::string magic;
+  int width = 0;
+  int height = 0;
+  double scale = 0;
+  file >> magic >> width >> height >> scale;
+  file.get();
+  if (!file || magic != "Pf" || width < 1 || height < 1 || scale >= 0) {
+    throw std::runtime_error(path + ": not a little-endian one-channel PFM");
+  }
+  cv::Mat1f bottom_up(height, width);
+  file.read(reinterpret_cast<char*>(bottom_up.data),
+            static_cast<std::streamsize>(bottom_up.total() * sizeof(float)));
+  if (!file) throw std::runtime_error(path + ": ends early");
+  cv::Mat1f map;
+  cv::flip(bottom_up, map, 0);
+  return map;
+}
+
+PairWithTruth VergedMotorcycle(const std::string& data_folder, const EyeTurn& turn) {
+  const std::string folder = data_folder + "/motorcycle/";
+  PairWithTruth pair;
+  pair.left = ReadImage(folder + "left.png");
+  const cv::Mat1f disparity = ReadPfm(folder + "disparity.pfm");
+  const cv::Matx33d H = TurnHomography(turn);
+  cv::warpPerspective(ReadImage(folder + "right.png"), pair.right, H, pair.left.size(),
+                      cv::INTER_CUBIC);
+
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  pair.dx = cv::Mat1f(disparity.size(), unknown);
+  pair.dy = cv::Mat1f(disparity.size(), unknown);
+  for (int y = 0; y < disparity.rows; ++y) {
+    for (int x = 0; x < disparity.cols; ++x) {
+      if (!std::isfinite(disparity(y, x))) continue;
+      const cv::Vec3d match = H * cv::Vec3d(x - disparity(y, x), y, 1);
+      const cv::Point2d p(match[0] / match[2], match[1] / match[2]);
+      if (p.x < 0 || p.y < 0 || p.x > disparity.cols - 1 || p.y > disparity.rows - 1) continue;
+      pair.dx(y, x) = static_cast<float>(p.x - x);
+      pair.dy(y, x) = static_cast<float>(p.y - y);
+    }
+  }
+  return pair;
+}
+
+FieldScore Score(const DisparityField& field, const cv::Mat1f& true_dx, const cv::Mat1f& true_dy) {
+  std::vector<double> errors;
+  int known = 0;
+  int bad = 0;
+  for (int y = 0; y < true_dx.rows; ++y) {
+    for (int x = 0; x < true_dx.cols; ++x) {
+      if (std::isnan(true_dx(y, x))) continue;
+      ++known;
+      if (field.valid(y, x) == 0) continue;
+      const double error = std::hypot(field.dx(y, x) - true_dx(y, x), field.dy(y, x) - true_dy(y, x));
+      errors.push_back(error);
+      if (!(error <= 2)) ++bad;
+    }
+  }
+  FieldScore score;
+  score.median_error_px = std::numeric_limits<double>::quiet_NaN();
+  score.bad2 = std::numeric_limits<double>::quiet_NaN();
+  if (known > 0) score.density = static_cast<double>(errors.size()) / known;
+  if (!errors.empty()) {
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    score.median_error_px = *middle;
+    score.bad2 = static_cast<double>(bad) / static_cast<double>(errors.size());
+  }
+  return score;
+}
+
+}  // namespace horopter::vision::testing

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ours beside OpenCV's DIS on the same pair:
+//   horopter_benchmark_vision_disparity --benchmark_min_time=0.2
+#include <benchmark/benchmark.h>
+
+#include <opencv2/core/utility.hpp>
+#include <string>
+
+#include "textured_pair.h"
+#include "vision/disparity/disparity_factory.h"
+
+namespace horopter::vision {
+namespace {
+
+void Estimate(benchmark::State& state, const char* method, const char* preset) {
+  const cv::Size size(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  cv::setNumThreads(static_cast<int>(state.range(2)));
+  const testing::SyntheticPair pair = testing::ShiftedPair(size, -7.6, 1.3);
+  const auto estimator = CreateDisparityEstimator(method, preset);
+  for (auto _ : state) benchmark::DoNotOptimize(estimator->Estimate(pair.left, pair.right));
+  cv::setNumThreads(-1);
+}
+
+void Sizes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgNames({"width", "height", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  for (const int threads : {1, 2}) {
+    benchmark->Args({320, 240, threads});
+    benchmark->Args({640, 480, threads});
+  }
+}
+
+BENCHMARK_CAPTURE(Estimate, v1_checked, "v1", "checked")->Apply(Sizes);
+BENCHMARK_CAPTURE(Estimate, v1_paper_2009, "v1", "paper_2009")->Apply(Sizes);
+BENCHMARK_CAPTURE(Estimate, dis_medium, "dis", "medium")->Apply(Sizes);
+
+}  // namespace
+}  // namespace horopter::vision

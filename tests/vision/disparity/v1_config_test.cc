@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/disparity/v1_config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "vision/disparity/v1_energy.h"
+
+namespace horopter::vision {
+namespace {
+
+TEST(V1Config, PresetsHold) {
+  EXPECT_TRUE(V1Config::Preset("checked").Validate().empty());
+  EXPECT_TRUE(V1Config::Preset("paper_2009").Validate().empty());
+}
+
+TEST(V1Config, PaperPresetIsThePublishedModelAlone) {
+  const V1Config paper = V1Config::Preset("paper_2009");
+  EXPECT_EQ(paper.left_right_px, 0);
+  EXPECT_EQ(paper.median_px, 0);
+  EXPECT_EQ(paper.iterations, 1);
+  EXPECT_EQ(paper.pooling_sigma_px, 0);
+  EXPECT_EQ(paper.scales, 6);
+  EXPECT_FALSE(paper.soft_threshold);
+}
+
+TEST(V1Config, UnknownPresetNamesTheKnown) {
+  try {
+    V1Config::Preset("fast");
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("\"fast\""));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("checked, paper_2009"));
+  }
+}
+
+TEST(V1Config, EveryBadFieldIsReportedAtOnce) {
+  V1Config bad;
+  bad.filter_px = 10;
+  bad.peak_frequency = std::numeric_limits<double>::quiet_NaN();
+  bad.envelope_sigma_px = 0;
+  bad.max_disparity_px = -1;
+  bad.response_threshold = 1;
+  bad.saturation_grey = 0;
+  bad.noise_grey = 0;
+  bad.min_signal_to_noise = -1;
+  bad.min_orientation_response = -1;
+  bad.min_orientations = 9;
+  bad.min_conditioning = 1;
+  bad.max_residual_px = std::numeric_limits<double>::infinity();
+  bad.pooling_sigma_px = -1;
+  bad.scales = 0;
+  bad.min_side_px = 0;
+  bad.iterations = 0;
+  bad.median_px = 4;
+  bad.max_kept_octaves = -1;
+  bad.left_right_px = -1;
+  EXPECT_EQ(bad.Validate().size(), 19U);
+  try {
+    const V1EnergyEstimator estimator(bad);
+    FAIL() << "accepted";
+  } catch (const hardware::ConfigError& error) {
+    EXPECT_EQ(error.errors().size(), 19U);
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.filter_px = 10: must be odd, 3 to 63"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.left_right_px = -1"));
+  }
+}
+
+TEST(V1Config, PhaseShiftsMustNotWrap) {
+  V1Config config;
+  config.max_disparity_px = 2;  // half a period of 0.25 cycles/px
+  ASSERT_EQ(config.Validate().size(), 1U);
+  EXPECT_EQ(config.Validate()[0].field, "v1.max_disparity_px");
+}
+
+}  // namespace
+}  // namespace horopter::vision

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/disparity/v1_energy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "textured_pair.h"
+
+namespace horopter::vision {
+namespace {
+
+using testing::ScoreWarp;
+using testing::ShiftedPair;
+using testing::SyntheticPair;
+using testing::WarpedPair;
+using testing::WarpScore;
+
+const cv::Size kSize(224, 168);
+
+V1EnergyEstimator Preset(const char* name) { return V1EnergyEstimator(V1Config::Preset(name)); }
+
+cv::Matx33d Shift(double dx, double dy) { return {1, 0, dx, 0, 1, dy, 0, 0, 1}; }
+
+/// A shift of some length in one of 8 directions.
+class KnownShift : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+TEST_P(KnownShift, IsRecoveredToSubPixel) {
+  const auto [length, direction] = GetParam();
+  const double dx = length * std::cos(direction * M_PI / 4);
+  const double dy = length * std::sin(direction * M_PI / 4);
+  const SyntheticPair pair = ShiftedPair(kSize, dx, dy);
+
+  const WarpScore checked =
+      ScoreWarp(Preset("checked").Estimate(pair.left, pair.right), Shift(dx, dy));
+  EXPECT_LT(checked.median_error_px, 0.05);
+  EXPECT_GT(checked.density, 0.9);
+
+  const WarpScore paper =
+      ScoreWarp(Preset("paper_2009").Estimate(pair.left, pair.right), Shift(dx, dy));
+  EXPECT_LT(paper.median_error_px, 0.1);
+  EXPECT_GT(paper.density, 0.9);
+}
+
+INSTANTIATE_TEST_SUITE_P(V1Energy, KnownShift,
+                         ::testing::Combine(::testing::Values(0.25, 1.3, 7.6, 20.0),
+                                            ::testing::Range(0, 8)));
+
+TEST(V1Energy, EveryOctaveDoublesTheReach) {
+  // +-1.5 (2^n - 1) px: 1.5, 4.5, 10.5, 22.5.
+  for (int scales = 1; scales <= 4; ++scales) {
+    V1Config config;
+    config.scales = scales;
+    const double reach = config.max_disparity_px * (std::pow(2, scales) - 1);
+    V1EnergyEstimator estimator(config);
+
+    const SyntheticPair within = ShiftedPair(kSize, 0.7 * reach, 0);
+    const WarpScore found =
+        ScoreWarp(estimator.Estimate(within.left, within.right), Shift(0.7 * reach, 0));
+    EXPECT_GT(found.density, 0.8) << scales << " scales";
+    EXPECT_LT(found.median_error_px, 0.1) << scales << " scales";
+
+    // What lies beyond the reach cannot be found, and must not be claimed.
+    const double beyond = 2 * config.iterations * reach + 4;
+    const SyntheticPair outside = ShiftedPair(kSize, beyond, 0);
+    const WarpScore lost =
+        ScoreWarp(estimator.Estimate(outside.left, outside.right), Shift(beyond, 0));
+    EXPECT_LT(lost.density, 0.3) << scales << " scales";
+  }
+}
+
+TEST(V1Energy, FollowsAZoomAndARotation) {
+  const double angle = 0.03;
+  const double zoom = 1.04;
+  const cv::Matx33d centre(1, 0, kSize.width / 2.0, 0, 1, kSize.height / 2.0, 0, 0, 1);
+  const cv::Matx33d turn(zoom * std::cos(angle), -zoom * std::sin(angle), 2.5,
+                         zoom * std::sin(angle), zoom * std::cos(angle), -1.2, 0, 2e-5, 1);
+  const cv::Matx33d H = centre * turn * centre.inv();
+  const SyntheticPair pair = WarpedPair(kSize, H);
+  const WarpScore checked = ScoreWarp(Preset("checked").Estimate(pair.left, pair.right), H);
+  EXPECT_LT(checked.median_error_px, 0.06);
+  EXPECT_GT(checked.density, 0.9);
+  const WarpScore paper = ScoreWarp(Preset("paper_2009").Estimate(pair.left, pair.right), H);
+  EXPECT_LT(paper.median_error_px, 0.12);
+}
+
+TEST(V1Energy, ConfidenceIsLowerWhereTheEyesSeeDifferentThings) {
+  const SyntheticPair pair = ShiftedPair(kSize, 3.2, 0);
+  cv::Mat1b right = pair.right.clone();
+  testing::SyntheticPair other = ShiftedPair(kSize, 0, 0, 77);
+  other.right.rowRange(84, 168).copyTo(right.rowRange(84, 168));
+  V1Config config;
+  config.left_right_px = 0;
+  config.max_residual_px = 0;
+  const DisparityField field = V1EnergyEstimator(config).Estimate(pair.left, right);
+  const double same = cv::mean(field.confidence.rowRange(10, 74))[0];
+  const double different = cv::mean(field.confidence.rowRange(94, 158))[0];
+  EXPECT_GT(same, 0.85);
+  EXPECT_LT(different, same - 0.15);
+}
+
+TEST(V1Energy, PlainImagesHaveNoValidPixel) {
+  for (const char* preset : {"checked", "paper_2009"}) {
+    for (const int grey : {0, 120, 255}) {
+      const cv::Mat1b plain(kSize, static_cast<unsigned char>(grey));
+      EXPECT_EQ(cv::countNonZero(Preset(preset).Estimate(plain, plain).valid), 0) << preset;
+    }
+  }
+}
+
+/// Texture left of x = 112, a plain wall right of it, and both eyes' sensor noise.
+SyntheticPair HalfPlain(double noise_grey) {
+  SyntheticPair pair = ShiftedPair(kSize, -3.3, 0);
+  pair.left.colRange(112, kSize.width).setTo(120);
+  pair.right.colRange(109, kSize.width).setTo(120);
+  cv::RNG rng(5);
+  for (cv::Mat1b* image : {&pair.left, &pair.right}) {
+    cv::Mat1f noise(kSize), noisy;
+    rng.fill(noise, cv::RNG::NORMAL, 0, noise_grey);
+    cv::add(*image, noise, noisy, cv::noArray(), CV_32F);
+    noisy.convertTo(*image, CV_8U);
+  }
+  return pair;
+}
+
+double ShareValid(const DisparityField& field, int from_column, int to_column) {
+  const cv::Mat1b part = field.valid.colRange(from_column, to_column);
+  return cv::countNonZero(part) / static_cast<double>(part.total());
+}
+
+TEST(V1Energy, InteriorOfAPlainHalfIsInvalid) {
+  const SyntheticPair pair = HalfPlain(0);
+  const DisparityField field = Preset("checked").Estimate(pair.left, pair.right);
+  EXPECT_GT(ShareValid(field, 8, 104), 0.9);
+  // An estimate is kept over two octaves: filters of 11 px there reach 5 * 4 px, plus pooling.
+  EXPECT_EQ(ShareValid(field, 112 + 36, kSize.width), 0);
+}
+
+TEST(V1Energy, SensorNoiseOnAPlainWallIsNotTexture) {
+  for (const double noise : {1.0, 3.0}) {
+    const SyntheticPair pair = HalfPlain(noise);
+    V1Config config;
+    config.noise_grey = noise;
+    const DisparityField field = V1EnergyEstimator(config).Estimate(pair.left, pair.right);
+    EXPECT_GT(ShareValid(field, 8, 104), 0.9) << "noise " << noise;
+    EXPECT_LT(ShareValid(field, 112 + 36, kSize.width), 0.01) << "noise " << noise;
+  }
+}
+
+TEST(V1Energy, LeftRightCheckRemovesHalfOccludedPixels) {
+  // A square 12 px nearer than its background: to its left the right eye does not see the ground.
+  SyntheticPair pair = ShiftedPair(kSize, 0, 0);
+  const SyntheticPair front = ShiftedPair(kSize, -12, 0, 9);
+  const cv::Rect square(90, 50, 70, 70);
+  front.left(square).copyTo(pair.left(square));
+  front.right(square - cv::Point(12, 0)).copyTo(pair.right(square - cv::Point(12, 0)));
+  const cv::Rect occluded(80, 60, 8, 50);
+  V1Config config;
+  const DisparityField checked = V1EnergyEstimator(config).Estimate(pair.left, pair.right);
+  config.left_right_px = 0;
+  const DisparityField unchecked = V1EnergyEstimator(config).Estimate(pair.left, pair.right);
+  EXPECT_LT(cv::countNonZero(checked.valid(occluded)),
+            0.5 * cv::countNonZero(unchecked.valid(occluded)));
+  EXPECT_NEAR(checked.dx(85, 125), -12, 0.2);
+  EXPECT_NEAR(checked.dx(85, 200), 0, 0.2);
+}
+
+TEST(V1Energy, AnySizeIsAccepted) {
+  const SyntheticPair pair = ShiftedPair({97, 61}, 1, 0);
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 5), cv::Size(1, 40), cv::Size(40, 1),
+                              cv::Size(17, 9), cv::Size(97, 61)}) {
+    const cv::Rect part(cv::Point(0, 0), size);
+    for (const char* preset : {"checked", "paper_2009"}) {
+      const DisparityField field = Preset(preset).Estimate(pair.left(part), pair.right(part));
+      EXPECT_EQ(field.dx.size(), size);
+      EXPECT_EQ(field.dy.size(), size);
+      EXPECT_EQ(field.confidence.size(), size);
+      EXPECT_EQ(field.valid.size(), size);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace horopter::vision

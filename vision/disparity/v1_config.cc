@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/disparity/v1_config.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace horopter::vision {
+namespace {
+
+/// Collects what does not hold.
+class Checker {
+ public:
+  template <typename T>
+  void Require(bool holds, const char* field, T value, const char* constraint) {
+    if (holds) return;
+    std::ostringstream text;
+    text << std::boolalpha << value;
+    errors_.push_back({std::string("v1.") + field, text.str(), constraint});
+  }
+  std::vector<hardware::FieldError> Take() { return std::move(errors_); }
+
+ private:
+  std::vector<hardware::FieldError> errors_;
+};
+
+bool Positive(double v) { return std::isfinite(v) && v > 0; }
+bool NotNegative(double v) { return std::isfinite(v) && v >= 0; }
+
+}  // namespace
+
+std::vector<hardware::FieldError> V1Config::Validate() const {
+  Checker c;
+  c.Require(filter_px % 2 == 1 && filter_px >= 3 && filter_px <= 63, "filter_px", filter_px,
+            "must be odd, 3 to 63");
+  c.Require(Positive(peak_frequency) && peak_frequency < 0.5, "peak_frequency", peak_frequency,
+            "must be between 0 and 0.5 cycles/px");
+  c.Require(Positive(envelope_sigma_px), "envelope_sigma_px", envelope_sigma_px,
+            "must be positive");
+  c.Require(Positive(max_disparity_px) && max_disparity_px * peak_frequency < 0.5,
+            "max_disparity_px", max_disparity_px,
+            "must be positive and less than half a period of peak_frequency");
+  c.Require(response_threshold >= 0 && response_threshold < 1, "response_threshold",
+            response_threshold, "must be in [0, 1)");
+  c.Require(Positive(saturation_grey), "saturation_grey", saturation_grey, "must be positive");
+  c.Require(Positive(noise_grey), "noise_grey", noise_grey, "must be positive");
+  c.Require(Positive(min_signal_to_noise), "min_signal_to_noise", min_signal_to_noise,
+            "must be positive");
+  c.Require(NotNegative(min_orientation_response), "min_orientation_response",
+            min_orientation_response, "must not be negative");
+  c.Require(min_orientations >= 2 && min_orientations <= kOrientations, "min_orientations",
+            min_orientations, "must be 2 to 8");
+  c.Require(Positive(min_conditioning) && min_conditioning < 1, "min_conditioning",
+            min_conditioning, "must be between 0 and 1");
+  c.Require(NotNegative(max_residual_px), "max_residual_px", max_residual_px,
+            "must not be negative");
+  c.Require(NotNegative(pooling_sigma_px) && pooling_sigma_px <= 10, "pooling_sigma_px",
+            pooling_sigma_px, "must be in [0, 10]");
+  c.Require(scales >= 1 && scales <= 12, "scales", scales, "must be 1 to 12");
+  c.Require(min_side_px >= 1, "min_side_px", min_side_px, "must be at least 1");
+  c.Require(iterations >= 1 && iterations <= 100, "iterations", iterations, "must be 1 to 100");
+  c.Require(median_px == 0 || median_px == 3 || median_px == 5, "median_px", median_px,
+            "must be 0, 3 or 5");
+  c.Require(max_kept_octaves >= 0 && max_kept_octaves <= 12, "max_kept_octaves", max_kept_octaves,
+            "must be 0 to 12");
+  c.Require(NotNegative(left_right_px), "left_right_px", left_right_px, "must not be negative");
+  return c.Take();
+}
+
+V1Config V1Config::Preset(std::string_view name) {
+  V1Config config;
+  if (name == "checked") return config;
+  if (name == "paper_2009") {
+    config.soft_threshold = false;
+    config.noise_grey = 0.3;  // of rounding to 8 bits
+    config.max_residual_px = 0;
+    config.energy_weights = false;
+    config.pooling_sigma_px = 0;
+    config.iterations = 1;
+    config.median_px = 0;
+    config.max_kept_octaves = config.scales;
+    config.left_right_px = 0;
+    return config;
+  }
+  throw std::invalid_argument("unknown v1 preset \"" + std::string(name) +
+                              "\": known are checked, paper_2009");
+}
+
+}  // namespace horopter::vision
