@@ -34,6 +34,7 @@ class RunProcess {
 
   /// Readable when there is progress or the child has ended.
   int fd() const { return fd_; }
+  pid_t pid() const { return pid_; }
 
   /// Takes in what the child has said. @return false once it has ended
   bool Poll();

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "scenarios/format/robot_description.h"
-#include "scenarios/format/scenario_text.h"
+#include "scenarios/format/scenario_format.h"
 #include "scenarios/format/scenes.h"
 #include "scenarios/results/statistics.h"
 #include "scenarios/runner/versions.h"
@@ -34,7 +34,7 @@ ExitCode CodeOf(Outcome outcome) {
 /// Plays the scenario and fills in what came of it.
 void Play(const Scenario& scenario, const RunHooks& hooks, RunWriter& writer, RunSummary& summary,
           PlanRecord& plan) {
-  const RobotDescription robot = LoadRobotDescription(RobotFile(scenario.robot));
+  const RobotDescription robot = LoadRobotDescription(RobotFile(ScenesDir(), scenario.robot));
   hardware::StageTimes times;
   const auto backend = CreateBackend(scenario, robot, times);
   summary.gl_renderer = backend->gl_renderer();

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "scenarios/format/metric_registry.h"
@@ -49,7 +51,7 @@ void EvaluateReached(const Expectation& expectation, const std::vector<GotoOutco
     const double distance = g.true_distance_m.value_or(std::numeric_limits<double>::infinity());
     result.value = std::max(result.value.value_or(0), distance);
     const bool in_time = !expectation.before_s || g.duration_s <= *expectation.before_s;
-    if (g.reached && distance <= expectation.limit && in_time) continue;
+    if (g.reached && distance <= result.limit && in_time) continue;
     result.outcome = ExpectationOutcome::kFailed;
     if (result.detail.empty()) {
       result.detail = fmt::format("{} after {:.1f} s, {:.3f} m from the goal",
@@ -175,10 +177,11 @@ ExpectationResult Evaluate(const Expectation& expectation, const ScoreBook& book
                            const std::map<std::string, double>& metrics, bool has_truth) {
   ExpectationResult result;
   result.name = expectation.text;
-  result.limit = expectation.limit;
-  result.unit = expectation.unit;
   const Metric* metric = FindMetric(expectation.metric);
-  if (metric != nullptr && metric->needs_truth && !has_truth) {
+  assert(metric != nullptr);  // the parser refuses unknown metrics and units
+  result.unit = metric->unit;
+  result.limit = ToMetricUnit(expectation.limit, expectation.unit, *metric).value();
+  if (metric->needs_truth && !has_truth) {
     result.detail = "this backend has no truth to hold it against";
     return result;
   }
@@ -193,7 +196,7 @@ ExpectationResult Evaluate(const Expectation& expectation, const ScoreBook& book
     return result;
   }
   result.value = found->second;
-  const bool holds = Holds(found->second, expectation.comparison, expectation.limit);
+  const bool holds = Holds(found->second, expectation.comparison, result.limit);
   result.outcome = holds ? ExpectationOutcome::kPassed : ExpectationOutcome::kFailed;
   return result;
 }

@@ -16,7 +16,8 @@
 #include <utility>
 
 #include "scenarios/format/find_scenarios.h"
-#include "scenarios/format/scenario_text.h"
+#include "scenarios/format/scenario_format.h"
+#include "scenarios/format/scenes.h"
 #include "scenarios/results/results_error.h"
 #include "scenarios/results/suite.h"
 #include "scenarios/runner/progress.h"
@@ -53,7 +54,7 @@ std::vector<Job> MakeJobs(const SuiteOptions& options, const fs::path& out) {
   std::vector<Job> jobs;
   for (const fs::path& file : FindScenarios(options.inputs)) {
     try {
-      Scenario scenario = ParseScenario(file);
+      Scenario scenario = ParseScenario(file, {ScenesDir()});
       if (!HasTag(scenario, options.tags)) continue;
       if (options.backend) scenario.backend = *options.backend;
       std::vector<std::uint64_t> seeds = options.seeds;

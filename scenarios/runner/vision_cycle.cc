@@ -5,18 +5,26 @@
 
 #include "control/kinematics/head_kinematics.h"
 #include "control/navigator/obstacle_points.h"
-#include "vision/reconstruction/reconstruct.h"
+#include "vision/disparity/disparity_factory.h"
 #include "vision/regions/extract_regions.h"
 #include "vision/segmentation/colour_edges.h"
 
 namespace horopter::scenarios {
+namespace {
+
+std::unique_ptr<vision::DisparityEstimator> MakeEstimator(const VisionSpec& spec) {
+  if (spec.method != "v1") return vision::CreateDisparityEstimator(spec.method, spec.preset);
+  vision::V1Config config = vision::V1Config::Preset(spec.preset);
+  config.scales = spec.scales;
+  return vision::CreateDisparityEstimator(config);
+}
+
+}  // namespace
 
 VisionCycle::VisionCycle(const VisionSpec& spec,
                          const hardware::PerEye<hardware::CameraModel>& cameras,
                          const hardware::HeadGeometry& geometry)
-    : spec_(spec), cameras_(cameras), geometry_(geometry) {
-  estimator_ = vision::CreateDisparityEstimator(spec.method, spec.preset);
-}
+    : spec_(spec), geometry_(geometry), reconstructor_(cameras), estimator_(MakeEstimator(spec)) {}
 
 VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
                               const hardware::HeadAngles& angles,
@@ -28,11 +36,11 @@ VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
   result.disparity = times.Measure(
       "disparity", [&] { return estimator_->Estimate(frame.left.bgr, frame.right.bgr); });
   const vision::PointField points_H = times.Measure("reconstruction", [&] {
-    return vision::Reconstruct(result.disparity, cameras_, angles, geometry_.baseline_m);
+    return reconstructor_.Reconstruct(result.disparity, angles, geometry_.baseline_m);
   });
   result.points_B =
       vision::Transformed(points_H, control::HeadPose(geometry_, angles.neck));
-  result.depth_m = vision::DepthAlongAxis(
+  result.depth_m = vision::DepthAlongOptical(
       result.points_B, control::EyePose(geometry_, angles, hardware::Eye::kLeft));
 
   // What: surfaces bounded by colour edges, each with the depth of what could be hit on it.

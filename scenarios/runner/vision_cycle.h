@@ -14,6 +14,7 @@
 #include "vision/disparity/disparity_estimator.h"
 #include "vision/disparity/disparity_field.h"
 #include "vision/reconstruction/point_field.h"
+#include "vision/reconstruction/reconstruct.h"
 #include "vision/regions/region.h"
 
 namespace horopter::scenarios {
@@ -41,8 +42,8 @@ class VisionCycle {
 
  private:
   VisionSpec spec_;
-  hardware::PerEye<hardware::CameraModel> cameras_;
   hardware::HeadGeometry geometry_;
+  vision::Reconstructor reconstructor_;
   std::unique_ptr<vision::DisparityEstimator> estimator_;
 };
 

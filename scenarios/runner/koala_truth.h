@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <set>
+#include <utility>
+
+#include "scenarios/runner/truth_probe.h"
+#include "sim/backend/koala_simulation.h"
+#include "sim/oracle/collision_oracle.h"
+
+namespace horopter::scenarios {
+
+/// Truth of the simulated Koala: depth and ids rendered at the cameras' true poses, contacts from
+/// MuJoCo, clearance from Bullet's world built from the same model.
+class KoalaTruth final : public TruthProbe {
+ public:
+  /// Watches the simulation from now on; both must outlive it.
+  KoalaTruth(sim::KoalaSimulation& simulation, hardware::StageTimes& times);
+
+  hardware::Pose2 X_OB() override;
+  double Clearance() override;
+  int contacts() const override { return contacts_; }
+  double FixationErrorDeg(const Eigen::Vector3d& p_OT) override;
+  FrameTruth AtCapture(const hardware::StereoFrame& frame) override;
+  PlanRecord Plan() override;
+
+ private:
+  using GeomPair = std::pair<int, int>;
+
+  void CountContacts(const sim::World& world);
+
+  sim::KoalaSimulation& simulation_;
+  hardware::StageTimes& times_;
+  sim::CollisionOracle oracle_;
+  int robot_body_ = -1;
+  std::set<int> robot_geoms_;
+  std::set<int> floor_geoms_;
+  std::set<GeomPair> touching_;  ///< at the last step
+  int contacts_ = 0;
+};
+
+}  // namespace horopter::scenarios

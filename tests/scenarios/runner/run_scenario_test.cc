@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/runner/run_scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "scenarios/format/scenario_format.h"
+#include "scenarios/format/scenes.h"
+#include "scenarios/results/results_error.h"
+#include "scenarios/results/suite.h"
+#include "scenarios/runner/run_process.h"
+
+namespace horopter::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Looks at the board, drives half a second: every stage of the stack at work.
+constexpr const char* kShort = R"(
+scene: koala/chessboard_room.xml
+time_limit_s: 10
+camera: {width: 160, height: 120}
+vision: {scales: 4, rate_hz: 4, latency_s: 0.2}
+steps:
+  - fixate: {x_m: 1.05, y_m: 0.0, z_m: 0.30, hold_s: 0.3}
+  - goto: {x_m: 0.25, y_m: 0.0, timeout_s: 6}
+expect:
+  - contacts 0
+  - fixation.error_deg.p95 <= 1 deg
+)";
+
+Scenario Short(std::uint64_t seed = 1) {
+  Scenario scenario = ParseScenarioText(kShort, "short.yaml", {ScenesDir()});
+  scenario.seed = seed;
+  return scenario;
+}
+
+class RunScenarioTest : public testing::Test {
+ protected:
+  fs::path Folder(const std::string& name) const {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    return fs::path(testing::TempDir()) / "horopter_run_scenario" / info->name() / name;
+  }
+
+  /// In a process of its own, so that the environment of each run is its own as well.
+  RunSummary Play(const Scenario& scenario, const std::string& name) const {
+    RunProcess process(scenario, Folder(name), std::nullopt);
+    while (process.Poll()) {
+    }
+    return process.Finish().summary;
+  }
+};
+
+/// Everything that must not depend on when and on what the run was made.
+RunSummary WithoutWallClock(RunSummary summary) {
+  summary.wall_s.reset();
+  summary.timing_ms.clear();
+  summary.directory.clear();
+  return summary;
+}
+
+std::string SuiteText(const fs::path& folder, const RunSummary& summary) {
+  WriteSuite(folder, {WithoutWallClock(summary)});
+  std::ifstream in(folder / "summary.json");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+TEST_F(RunScenarioTest, SameSeedGivesTheSameImagesDecisionsAndSummary) {
+  const RunSummary first = Play(Short(), "first");
+  const RunSummary second = Play(Short(), "second");
+  setenv("LP_NUM_THREADS", "0", 1);
+  const RunSummary single = Play(Short(), "single");
+  unsetenv("LP_NUM_THREADS");
+
+  EXPECT_EQ(first.outcome, Outcome::kPassed) << first.error;
+  EXPECT_EQ(first.image_hash.size(), 64u);
+  for (const RunSummary* other : {&second, &single}) {
+    EXPECT_EQ(first.image_hash, other->image_hash);
+    EXPECT_EQ(first.decision_hash, other->decision_hash);
+    EXPECT_EQ(SuiteText(Folder("a"), first), SuiteText(Folder("b"), *other));
+  }
+}
+
+TEST_F(RunScenarioTest, AnotherSeedGivesOtherImages) {
+  EXPECT_NE(Play(Short(1), "one").image_hash, Play(Short(2), "two").image_hash);
+}
+
+TEST_F(RunScenarioTest, RunLeavesWhatTheDesignLists) {
+  Play(Short(), "run");
+  for (const char* file : {"scenario.yaml", "summary.json", "junit.xml", "report.html",
+                           "frames.csv", "trajectory.csv", "frames/0000_left.png"}) {
+    EXPECT_TRUE(fs::exists(Folder("run") / file)) << file;
+  }
+}
+
+TEST_F(RunScenarioTest, ResolvedScenarioPlaysTheSameRun) {
+  const RunSummary first = Play(Short(3), "first");
+  const Scenario resolved =
+      ParseScenario(Folder("first") / "scenario.yaml", {ScenesDir()});
+  EXPECT_EQ(Play(resolved, "again").decision_hash, first.decision_hash);
+}
+
+TEST_F(RunScenarioTest, StagesAreTimed) {
+  const RunSummary run = Play(Short(), "run");
+  for (const char* stage : {"physics", "render", "read_back", "sensor", "disparity",
+                            "reconstruction", "segmentation", "regions", "navigation"}) {
+    ASSERT_EQ(run.timing_ms.count(stage), 1u) << stage;
+    EXPECT_GT(run.timing_ms.at(stage).n, 0) << stage;
+  }
+}
+
+TEST_F(RunScenarioTest, ImpossibleTargetFailsTheRunAndSaysWhy) {
+  Scenario scenario = Short();
+  scenario.steps[0].action = FixateStep{{-1, 0, 0.3}, 0.3};
+  const RunSummary run = Play(scenario, "run");
+  EXPECT_EQ(run.outcome, Outcome::kFailed);
+  EXPECT_THAT(run.error, testing::HasSubstr("cannot fixate"));
+}
+
+TEST_F(RunScenarioTest, TimeLimitEndsTheRun) {
+  Scenario scenario = Short();
+  scenario.time_limit_s = 1;
+  scenario.steps[0].action = WaitStep{5};
+  const RunSummary run = Play(scenario, "run");
+  EXPECT_EQ(run.outcome, Outcome::kFailed);
+  EXPECT_NEAR(run.sim_s.value(), 1, 0.05);
+  EXPECT_THAT(run.error, testing::HasSubstr("time limit"));
+}
+
+TEST_F(RunScenarioTest, InterruptedRunIsIncompleteAndReadable) {
+  RunHooks hooks;
+  int ticks = 0;
+  hooks.interrupted = [&ticks] { return ++ticks > 20; };
+  const FinishedRun run = RunScenario(Short(), Folder("run"), hooks);
+  EXPECT_EQ(run.summary.outcome, Outcome::kIncomplete);
+  EXPECT_EQ(run.exit_code, ExitCode::kInfrastructure);
+  EXPECT_EQ(ReadSuiteSummary(Folder("run")).at(0).outcome, Outcome::kIncomplete);
+}
+
+TEST_F(RunScenarioTest, MissingSceneIsBadInput) {
+  Scenario scenario = Short();
+  scenario.scene = "koala/no_such_room.xml";
+  const FinishedRun run = RunScenario(scenario, Folder("run"), {});
+  EXPECT_EQ(run.summary.outcome, Outcome::kError);
+  EXPECT_EQ(run.exit_code, ExitCode::kBadInput);
+  EXPECT_THAT(run.summary.error, testing::HasSubstr("no_such_room.xml"));
+}
+
+TEST_F(RunScenarioTest, FolderThatCannotBeWrittenThrows) {
+  const fs::path file = Folder("file");
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << "not a folder";
+  EXPECT_THROW(RunScenario(Short(), file / "run", {}), ResultsError);
+}
+
+}  // namespace
+}  // namespace horopter::scenarios

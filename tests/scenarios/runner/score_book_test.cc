@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/runner/score_book.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace horopter::scenarios {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+Expectation Expect(const std::string& metric, Comparison comparison, double limit,
+                   const std::string& unit = "") {
+  Expectation e;
+  e.text = metric;
+  e.metric = metric;
+  e.comparison = comparison;
+  e.limit = limit;
+  e.unit = unit;
+  return e;
+}
+
+Expectation ReachedWithin(double distance_m, double before_s) {
+  Expectation e = Expect("reached", Comparison::kAtMost, distance_m, "m");
+  e.before_s = before_s;
+  return e;
+}
+
+ExpectationResult Evaluate(const Expectation& e, const ScoreBook& book, bool has_truth = true) {
+  return scenarios::Evaluate(e, book, book.Metrics(), has_truth);
+}
+
+TEST(ScoreDepth, CountsOnlyPixelsWithBothDepths) {
+  const cv::Mat1f truth = (cv::Mat1f(1, 4) << 2, 2, kInf, 4);
+  const cv::Mat1f estimate = (cv::Mat1f(1, 4) << 2.2f, kNan, 1, 3.8f);
+  const DepthScore score = ScoreDepth(estimate, truth);
+  EXPECT_DOUBLE_EQ(score.density, 0.75);
+  ASSERT_TRUE(score.abs_rel_median && score.bias_m && score.abs_rel_mean);
+  EXPECT_NEAR(*score.abs_rel_median, (0.1 + 0.05) / 2, 1e-6);
+  EXPECT_NEAR(*score.abs_rel_mean, (0.1 + 0.05) / 2, 1e-6);
+  EXPECT_NEAR(*score.bias_m, 0, 1e-6);
+}
+
+TEST(ScoreDepth, NothingEstimatedGivesNoNumbers) {
+  const DepthScore score = ScoreDepth(cv::Mat1f(2, 2, kNan), cv::Mat1f(2, 2, 1.0f));
+  EXPECT_EQ(score.density, 0);
+  EXPECT_FALSE(score.abs_rel_median || score.abs_rel_mean || score.bias_m);
+}
+
+TEST(ScoreBook, EmptyBookHasNoMetrics) { EXPECT_TRUE(ScoreBook().Metrics().empty()); }
+
+TEST(ScoreBook, ClearanceIsTheSmallestAndPathTheSumOfTrueMotion) {
+  ScoreBook book;
+  book.AddTick({{0, 0, 0}, hardware::Pose2{0, 0, 0}, 0.4, 0, {}});
+  book.AddTick({{1, 0, 0}, hardware::Pose2{1.1, 0, 0}, 0.1, 0, {}});
+  book.AddTick({{1, 1, 0}, hardware::Pose2{1.1, 1, 0}, 0.3, 2, {}});
+  const auto metrics = book.Metrics();
+  EXPECT_DOUBLE_EQ(metrics.at("clearance"), 0.1);
+  EXPECT_DOUBLE_EQ(metrics.at("path_length"), 2.1);
+  EXPECT_DOUBLE_EQ(metrics.at("contacts"), 2);
+  EXPECT_NEAR(metrics.at("odometry.error"), 0.1, 1e-12);
+}
+
+TEST(ScoreBook, BoardErrorIsTakenOverTheBoardAlone) {
+  FrameTruth truth;
+  truth.depth_m = cv::Mat1f(10, 10, 1.0f);
+  truth.board = cv::Mat1b(10, 10, uchar{0});
+  truth.board(cv::Rect(0, 0, 10, 2)) = 255;
+  cv::Mat1f depth(10, 10, 2.0f);
+  depth.row(0) = 0.97f;
+  depth.row(1) = 0.99f;
+  ScoreBook book;
+  book.AddFrame(ScoreDepth(depth, truth.depth_m), depth, truth, /*fixating=*/true);
+  const auto metrics = book.Metrics();
+  EXPECT_NEAR(metrics.at("board.depth_error.mean"), 0.02, 1e-6);
+  EXPECT_NEAR(metrics.at("board.depth_error.std"), 0.01, 1e-6);
+}
+
+TEST(ScoreBook, BoardCountsOnlyWhileFixating) {
+  FrameTruth truth{cv::Mat1f(4, 4, 1.0f), cv::Mat1b(4, 4, uchar{255})};
+  ScoreBook book;
+  book.AddFrame({}, cv::Mat1f(4, 4, 1.0f), truth, /*fixating=*/false);
+  EXPECT_EQ(book.Metrics().count("board.depth_error.mean"), 0u);
+}
+
+TEST(Evaluate, ComparesInTheMetricsOwnUnit) {
+  ScoreBook book;
+  book.AddTick({{}, {}, 0.04, {}, {}});
+  EXPECT_EQ(Evaluate(Expect("clearance", Comparison::kAtLeast, 0.03, "m"), book).outcome,
+            ExpectationOutcome::kPassed);
+  EXPECT_EQ(Evaluate(Expect("clearance", Comparison::kAtLeast, 5, "cm"), book).outcome,
+            ExpectationOutcome::kFailed);
+  EXPECT_EQ(Evaluate(Expect("clearance", Comparison::kAtLeast, 3, "cm"), book).outcome,
+            ExpectationOutcome::kPassed);
+}
+
+TEST(Evaluate, WithoutTruthNothingThatNeedsItPasses) {
+  ScoreBook book;
+  book.AddTick({{}, {}, 1.0, 0, {}});
+  const auto result = Evaluate(Expect("clearance", Comparison::kAtLeast, 0.05, "m"), book, false);
+  EXPECT_EQ(result.outcome, ExpectationOutcome::kNotApplicable);
+  EXPECT_FALSE(result.value.has_value());
+}
+
+TEST(Evaluate, WhatWasNeverMeasuredFails) {
+  const auto result = Evaluate(Expect("clearance", Comparison::kAtLeast, 0.05, "m"), ScoreBook());
+  EXPECT_EQ(result.outcome, ExpectationOutcome::kFailed);
+  EXPECT_FALSE(result.value.has_value());
+  EXPECT_THAT(result.detail, testing::HasSubstr("measured"));
+}
+
+TEST(Evaluate, ReachedNeedsOpinionDistanceAndTime) {
+  const auto outcome = [](GotoOutcome g) {
+    ScoreBook book;
+    book.AddGoto(g);
+    return Evaluate(ReachedWithin(0.15, 60), book).outcome;
+  };
+  EXPECT_EQ(outcome({true, 30, 0.10}), ExpectationOutcome::kPassed);
+  EXPECT_EQ(outcome({false, 30, 0.10}), ExpectationOutcome::kFailed);
+  EXPECT_EQ(outcome({true, 61, 0.10}), ExpectationOutcome::kFailed);
+  EXPECT_EQ(outcome({true, 30, 0.16}), ExpectationOutcome::kFailed);
+}
+
+TEST(Evaluate, EveryGoalMustBeReached) {
+  ScoreBook book;
+  book.AddGoto({true, 10, 0.20});
+  book.AddGoto({true, 10, 0.05});
+  const auto result = Evaluate(ReachedWithin(0.15, 60), book);
+  EXPECT_EQ(result.outcome, ExpectationOutcome::kFailed);
+  EXPECT_DOUBLE_EQ(result.value.value(), 0.20);
+}
+
+TEST(Evaluate, NoGoalBegunIsNotReached) {
+  EXPECT_EQ(Evaluate(ReachedWithin(0.15, 60), ScoreBook()).outcome, ExpectationOutcome::kFailed);
+}
+
+}  // namespace
+}  // namespace horopter::scenarios

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/runner/suite.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "scenarios/format/scenario_format.h"
+#include "scenarios/format/scenes.h"
+#include "scenarios/results/suite.h"
+#include "scenarios/runner/run_process.h"
+
+namespace horopter::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string Turning(const std::string& expectation, double hold_s = 0.2) {
+  std::ostringstream text;
+  text << "scene: koala/chessboard_room.xml\n"
+          "tags: [quick]\n"
+          "time_limit_s: 600\n"
+          "camera: {width: 80, height: 60}\n"
+          "vision: {scales: 2, rate_hz: 1}\n"
+          "steps:\n"
+          "  - saccade: {pan_deg: 5, tilt_deg: 0, vergence_deg: 1, hold_s: "
+       << hold_s << "}\nexpect:\n  - " << expectation << "\n";
+  return text.str();
+}
+
+class SuiteTest : public testing::Test {
+ protected:
+  SuiteTest() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    root_ = fs::path(testing::TempDir()) / "horopter_suite" / info->name();
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+
+  fs::path Write(const std::string& name, const std::string& text) const {
+    std::ofstream(root_ / name) << text;
+    return root_ / name;
+  }
+
+  ExitCode Run(SuiteOptions options) {
+    if (options.out.empty()) options.out = root_ / "out";
+    out_.str("");
+    err_.str("");
+    return RunSuite(options, out_, err_);
+  }
+
+  fs::path root_;
+  std::ostringstream out_;
+  std::ostringstream err_;
+};
+
+TEST_F(SuiteTest, PassingSuiteExitsWithZeroAndPrintsTableAndReport) {
+  EXPECT_EQ(Run({{Write("pass.yaml", Turning("contacts 0"))}}), ExitCode::kPassed) << err_.str();
+  EXPECT_THAT(out_.str(), HasSubstr("contacts 0"));
+  EXPECT_THAT(out_.str(), HasSubstr("pass"));
+  EXPECT_THAT(out_.str(), HasSubstr("report.html"));
+  const auto runs = ReadSuiteSummary(root_ / "out");
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_EQ(runs[0].outcome, Outcome::kPassed);
+}
+
+TEST_F(SuiteTest, FailedExpectationExitsWithOne) {
+  EXPECT_EQ(Run({{Write("fail.yaml", Turning("path_length >= 1 m"))}}),
+            ExitCode::kExpectationFailed);
+  EXPECT_THAT(out_.str(), HasSubstr("FAIL"));
+}
+
+TEST_F(SuiteTest, EveryScenarioIsPlayedWithEverySeedAlsoBesideEachOther) {
+  Write("a.yaml", Turning("contacts 0"));
+  Write("b.yaml", Turning("contacts 0"));
+  SuiteOptions options{{root_}};
+  options.seeds = {4, 5};
+  options.jobs = 2;
+  EXPECT_EQ(Run(options), ExitCode::kPassed) << err_.str();
+  const auto runs = ReadSuiteSummary(root_ / "out");
+  ASSERT_EQ(runs.size(), 4u);
+  EXPECT_EQ(runs[0].seed, 4u);
+  EXPECT_NE(runs[0].image_hash, runs[1].image_hash);
+  // The same room and seed under another name: beside each other or not, the same bits.
+  EXPECT_EQ(runs[0].image_hash, runs[2].image_hash);
+}
+
+TEST_F(SuiteTest, BadInputExitsWithTwoBeforeAnythingRuns) {
+  Write("good.yaml", Turning("contacts 0"));
+  Write("bad.yaml", Turning("contacts 0") + "sede: 3\n");
+  EXPECT_EQ(Run({{root_}}), ExitCode::kBadInput);
+  EXPECT_THAT(err_.str(), HasSubstr("bad.yaml:"));
+  EXPECT_THAT(err_.str(), HasSubstr("seed"));
+  EXPECT_FALSE(fs::exists(root_ / "out"));
+}
+
+TEST_F(SuiteTest, TagThatNoScenarioHasIsBadInput) {
+  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  options.tags = {"slow"};
+  EXPECT_EQ(Run(options), ExitCode::kBadInput);
+}
+
+TEST_F(SuiteTest, ResultsFolderThatCannotBeMadeExitsWithThree) {
+  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  options.out = Write("file", "") / "out";
+  EXPECT_EQ(Run(options), ExitCode::kInfrastructure);
+  EXPECT_THAT(err_.str(), HasSubstr("--out"));
+}
+
+TEST_F(SuiteTest, BackendThatIsNotThereExitsWithFour) {
+  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  options.backend = "hardware";
+  EXPECT_EQ(Run(options), ExitCode::kHardwareUnavailable);
+}
+
+TEST_F(SuiteTest, ResumeKeepsRunsThatEndedAndPlaysTheOthers) {
+  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  options.seeds = {1};
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  const auto kept = ReadSuiteSummary(root_ / "out").at(0);
+  options.seeds = {1, 2};
+  options.resume = true;
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  const auto runs = ReadSuiteSummary(root_ / "out");
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].wall_s, kept.wall_s);  // not played again
+  EXPECT_THAT(err_.str(), testing::Not(HasSubstr("seed 1:")));
+  EXPECT_THAT(err_.str(), HasSubstr("seed 2:"));
+}
+
+TEST_F(SuiteTest, ResumePlaysAgainWhatHasChanged) {
+  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  Write("a.yaml", Turning("contacts 0", 0.4));
+  options.resume = true;
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  EXPECT_THAT(err_.str(), HasSubstr("seed 1: passed"));
+}
+
+TEST_F(SuiteTest, WallLimitLeavesTheRunIncomplete) {
+  SuiteOptions options{{Write("long.yaml", Turning("contacts 0", 500))}};
+  options.wall_limit_s = 1;
+  EXPECT_EQ(Run(options), ExitCode::kInfrastructure);
+  EXPECT_EQ(ReadSuiteSummary(root_ / "out").at(0).outcome, Outcome::kIncomplete);
+}
+
+class RunProcessTest : public SuiteTest {
+ protected:
+  /// Plays a long run until it has begun to move, then sends its process `signal_number`.
+  void PlayAndSignal(int signal_number) {
+    const Scenario scenario =
+        ParseScenario(Write("long.yaml", Turning("contacts 0", 500)), {ScenesDir()});
+    RunProcess process(scenario, root_ / "run", std::nullopt);
+    bool sent = false;
+    while (process.Poll()) {
+      if (!sent && process.sim_s() > 0) kill(process.pid(), signal_number);
+      sent = sent || process.sim_s() > 0;
+    }
+    ASSERT_TRUE(sent);
+    finished_ = process.Finish();
+  }
+
+  FinishedRun finished_;
+};
+
+TEST_F(RunProcessTest, TerminatedRunSaysThatItIsIncomplete) {
+  PlayAndSignal(SIGTERM);
+  EXPECT_EQ(finished_.summary.outcome, Outcome::kIncomplete);
+  EXPECT_TRUE(fs::exists(root_ / "run" / "report.html"));
+}
+
+TEST_F(RunProcessTest, KilledRunLeavesReadableResultsMarkedIncomplete) {
+  PlayAndSignal(SIGKILL);
+  EXPECT_EQ(finished_.summary.outcome, Outcome::kError);
+  EXPECT_THAT(finished_.summary.error, HasSubstr("signal 9"));
+  EXPECT_EQ(ReadSuiteSummary(root_ / "run").at(0).outcome, Outcome::kIncomplete);
+  EXPECT_TRUE(fs::exists(root_ / "run" / "frames.csv"));
+  EXPECT_FALSE(fs::exists(root_ / "run" / "report.html"));
+}
+
+}  // namespace
+}  // namespace horopter::scenarios
