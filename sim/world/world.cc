@@ -23,9 +23,13 @@ using hardware::Pose;
 
 void LogMujocoWarning(const char* message) { spdlog::warn("MuJoCo: {}", message); }
 
+/// MuJoCo has one pair of handlers per process.
 void InstallMujocoHandlers() {
-  mju_user_error = ThrowMujocoError;
-  mju_user_warning = LogMujocoWarning;
+  [[maybe_unused]] static const bool installed = [] {
+    mju_user_error = ThrowMujocoError;
+    mju_user_warning = LogMujocoWarning;
+    return true;
+  }();
 }
 
 /// MuJoCo's reasons come in several lines; ours are one.
