@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <opencv2/core/mat.hpp>
@@ -16,19 +17,21 @@ namespace horopter::control {
 
 /// How obstacle points are remembered.
 struct ObstacleMemoryConfig {
-  double cell_m = 0.04;    ///< side of a cell
-  double keep_s = 20;      ///< a cell is forgotten when not seen for so long; 0: at the next view
-  int min_pixels = 8;      ///< in one view, for a cell to count as seen
-  double max_range_m = 2;  ///< points further away are not remembered
+  double cell_m = 0.04;      ///< side of a cell
+  double keep_s = 20;        ///< a cell is forgotten when not seen for so long; 0: at the next view
+  int min_pixels = 8;        ///< in one view, for a cell to count as seen
+  double max_range_m = 2;    ///< points further away are not remembered
+  double clear_min_m = 0.8;  ///< nearer cells are not cleared by a view that sees something beyond:
+                             ///< what stands there may be below the image
 
   std::vector<hardware::FieldError> Validate() const;
 };
 
 /// Cells of the ground in which obstacle points have been seen lately, in the odometry frame.
 ///
-/// A cell that a later view looks through (it sees something clearly beyond, in the same
-/// direction, and nothing there) is cleared, so that a passing mismatch does not stay.
-/// Ordered containers throughout: the same views give the same cells.
+/// A cell that a later view looks past (everything it sees in that direction is clearly further
+/// away) is cleared, so that a passing mismatch does not stay. Ordered containers throughout: the
+/// same views give the same cells.
 class ObstacleMemory {
  public:
   /// @throws hardware::ConfigError
@@ -40,15 +43,14 @@ class ObstacleMemory {
   /// Centres of the remembered cells, in the base frame at pose `X_OB` [m].
   std::vector<Eigen::Vector2d> PointsInBase(const hardware::Pose2& X_OB) const;
 
-  double cell_m() const { return config_.cell_m; }
   std::size_t size() const { return cells_.size(); }
 
  private:
   using Cell = std::pair<std::int32_t, std::int32_t>;
 
-  Cell CellOf(const Eigen::Vector2d& p_O) const;
-  Eigen::Vector2d CentreOf(const Cell& cell) const;
-  void ClearSeenThrough(const cv::Mat3f& obstacles_B, const hardware::Pose2& X_OB);
+  Cell CellOf(double x_O, double y_O) const;
+  void MarkSeen(hardware::Time t, const cv::Mat3f& obstacles_B, const hardware::Pose2& X_OB);
+  void ClearSeenPast(hardware::Time t, const cv::Mat3f& obstacles_B, const hardware::Pose2& X_OB);
 
   ObstacleMemoryConfig config_;
   std::map<Cell, hardware::Time> cells_;  ///< when each was last seen

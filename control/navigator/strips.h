@@ -22,10 +22,10 @@ enum class Strip { kLeft, kCentre, kRight };
 /// How a view is cut into a left, a central and a right area.
 struct StripConfig {
   double central_fraction = 0.40;       ///< kCentralImage: of the image width
-  double corridor_half_width_m = 0.20;  ///< kCorridor: half the robot's width and a margin
+  double corridor_half_width_m = 0.28;  ///< kCorridor: half the robot's diagonal and a margin
   int min_pixels = 25;                  ///< a region with fewer in an area does not count there
-  double near_percentile = 0.05;        ///< of a region's distances in an area: the minimum that a
-                                        ///< few wrong pixels cannot make
+  double near_fraction = 0.05;          ///< of a region's distances in an area may be nearer than
+                                        ///< its near_m, so that a few wrong pixels do not make it
   bool edges_count = true;              ///< edge pixels (label 0) form a region of their own: a
                                         ///< thin or richly textured thing may have no other
 
@@ -34,10 +34,11 @@ struct StripConfig {
 
 /// A region as far as it lies in one area.
 struct Obstacle {
-  int label = 0;  ///< of the region; 0: edge pixels; -1: remembered, no longer in view
-  Strip strip = Strip::kCentre;
+  static constexpr int kRemembered = -1;
+
+  int label = 0;  ///< of the region; 0: edge pixels; kRemembered: cells of the ObstacleMemory
   int count = 0;  ///< pixels with a distance in this area (remembered: cells)
-  double near_m = std::numeric_limits<double>::infinity();  ///< near percentile of distance
+  double near_m = std::numeric_limits<double>::infinity();  ///< distance, see MeasureStrips()
 };
 
 /// The nearest thing of each area; nothing where the area has none.
@@ -46,6 +47,7 @@ struct StripMeasurements {
   std::optional<Obstacle> centre;
   std::optional<Obstacle> right;
 
+  std::optional<Obstacle>& operator[](Strip strip);
   /// Distance of the area's nearest thing [m]; infinite when it is free.
   double near_m(Strip strip) const;
 };
@@ -53,10 +55,18 @@ struct StripMeasurements {
 /// Statistics of every region in every area, reduced to the nearest of each. One region may span
 /// all three (regions merge): only its pixels inside an area count there.
 ///
-/// kCentralImage: areas are image columns; distance is x_B. kCorridor: areas are left of, in and
-/// right of the corridor of half width `corridor_half_width_m` that runs from the base's origin
-/// along `bearing_rad` (positive to the left); distance is measured along the corridor.
+/// kCentralImage: areas are columns of the image; distance is x_B. kCorridor: the corridor of half
+/// width `corridor_half_width_m` runs from the base's origin along `bearing_rad` (positive to the
+/// left); distance is measured along it inside, and from the base's origin to the left and right
+/// of it. What lies behind the origin, seen along the corridor, is in no area.
 StripMeasurements MeasureStrips(const SceneView& view, ObstacleTest test, double bearing_rad,
                                 const StripConfig& config);
+
+/// The corridor's areas for bare points of the ground (x, y) in the base frame.
+StripMeasurements MeasurePoints(const std::vector<Eigen::Vector2d>& points_B, double bearing_rad,
+                                const StripConfig& config);
+
+/// The nearer thing of each area.
+StripMeasurements Nearest(const StripMeasurements& a, const StripMeasurements& b);
 
 }  // namespace horopter::control

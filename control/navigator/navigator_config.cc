@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/navigator/navigator_config.h"
+
+#include <string>
+#include <utility>
+
+namespace horopter::control {
+namespace {
+
+class Checker {
+ public:
+  void Require(bool good, const std::string& field, double value, const char* rule) {
+    if (!good) errors.push_back({"navigator." + field, std::to_string(value), rule});
+  }
+  void Positive(const std::string& field, double value) {
+    Require(std::isfinite(value) && value > 0, field, value, "must be finite and positive");
+  }
+  void NotNegative(const std::string& field, double value) {
+    Require(std::isfinite(value) && value >= 0, field, value, "must be finite and not negative");
+  }
+  void Part(std::vector<hardware::FieldError> part) {
+    for (hardware::FieldError& e : part) {
+      errors.push_back({"navigator." + e.field, std::move(e.value), std::move(e.constraint)});
+    }
+  }
+
+  std::vector<hardware::FieldError> errors;
+};
+
+}  // namespace
+
+std::vector<hardware::FieldError> NavigatorConfig::Validate() const {
+  Checker check;
+  check.Part(strips.Validate());
+  check.Part(memory.Validate());
+  check.Part(controller.Validate());
+
+  check.Positive("obstacle_distance_m", obstacle_distance_m);
+  check.Require(avoid_angle_rad > 0 && avoid_angle_rad <= M_PI / 2, "avoid_angle_rad",
+                avoid_angle_rad, "must be above 0 and at most pi/2");
+  check.Positive("avoid_fraction", avoid_fraction);
+  check.Require(avoid_min_m > waypoint_tolerance_m, "avoid_min_m", avoid_min_m,
+                "must be above waypoint_tolerance_m, or a waypoint is reached where it is set");
+  check.Require(avoid_max_m >= avoid_min_m, "avoid_max_m", avoid_max_m,
+                "must be at least avoid_min_m");
+  check.Require(waypoint_tolerance_m >= controller.arrival_m, "waypoint_tolerance_m",
+                waypoint_tolerance_m, "must be at least controller.arrival_m");
+  check.Require(goal_tolerance_m >= controller.arrival_m, "goal_tolerance_m", goal_tolerance_m,
+                "must be at least controller.arrival_m");
+
+  check.NotNegative("stop_distance_m", stop_distance_m);
+  check.Require(slow_distance_m >= stop_distance_m, "slow_distance_m", slow_distance_m,
+                "must be at least stop_distance_m");
+  check.Positive("max_view_age_s", max_view_age_s);
+  check.Require(side_switch_ratio >= 1, "side_switch_ratio", side_switch_ratio,
+                "must be at least 1");
+  check.NotNegative("side_hold_m", side_hold_m);
+  check.Positive("stuck_after_s", stuck_after_s);
+  check.Positive("stuck_progress_m", stuck_progress_m);
+
+  check.Positive("gaze_min_m", gaze_min_m);
+  check.Require(gaze_max_m >= gaze_min_m, "gaze_max_m", gaze_max_m, "must be at least gaze_min_m");
+  check.Require(std::isfinite(gaze_height_m), "gaze_height_m", gaze_height_m, "must be finite");
+  check.Require(gaze_max_bearing_rad >= 0 && gaze_max_bearing_rad < M_PI / 2,
+                "gaze_max_bearing_rad", gaze_max_bearing_rad,
+                "must be at least 0 and less than pi/2");
+  return check.errors;
+}
+
+}  // namespace horopter::control

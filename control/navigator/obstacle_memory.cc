@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/navigator/obstacle_memory.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace horopter::control {
+
+using hardware::Pose2;
+using hardware::Time;
+
+namespace {
+
+/// Nearest obstacle of each direction of a view, seen from the base's origin, 3 degrees a bin.
+class Panorama {
+ public:
+  explicit Panorama(const cv::Mat3f& obstacles_B) {
+    nearest_.fill(std::numeric_limits<double>::infinity());
+    for (int v = 0; v < obstacles_B.rows; ++v) {
+      for (int u = 0; u < obstacles_B.cols; ++u) {
+        const cv::Vec3f& p = obstacles_B(v, u);
+        if (std::isnan(p[0])) continue;
+        double& nearest = nearest_[Bin(p[0], p[1])];
+        nearest = std::min<double>(nearest, std::hypot(p[0], p[1]));
+      }
+    }
+  }
+
+  /// Whether the view saw obstacles in that direction, all of them beyond `range_m`.
+  bool SeesBeyond(const Eigen::Vector2d& p_B, double range_m) const {
+    const double nearest = nearest_[Bin(p_B.x(), p_B.y())];
+    return std::isfinite(nearest) && nearest > range_m;
+  }
+
+ private:
+  static constexpr int kBins = 120;
+
+  static int Bin(double x, double y) {
+    const double turn = std::atan2(y, x) / (2 * M_PI) + 0.5;  // 0 to 1
+    return std::min(static_cast<int>(turn * kBins), kBins - 1);
+  }
+
+  std::array<double, kBins> nearest_;
+};
+
+Eigen::Vector2d InBase(const Pose2& X_OB, double x_O, double y_O) {
+  const double c = std::cos(X_OB.heading_rad), s = std::sin(X_OB.heading_rad);
+  const double dx = x_O - X_OB.x_m, dy = y_O - X_OB.y_m;
+  return {c * dx + s * dy, c * dy - s * dx};
+}
+
+}  // namespace
+
+std::vector<hardware::FieldError> ObstacleMemoryConfig::Validate() const {
+  std::vector<hardware::FieldError> errors;
+  const auto require = [&errors](bool good, const char* field, double value, const char* rule) {
+    if (!good) errors.push_back({field, std::to_string(value), rule});
+  };
+  require(cell_m >= 0.005 && cell_m <= 0.5, "memory.cell_m", cell_m,
+          "must be between 0.005 and 0.5");
+  require(std::isfinite(keep_s) && keep_s >= 0, "memory.keep_s", keep_s,
+          "must be finite and not negative");
+  require(min_pixels >= 1, "memory.min_pixels", min_pixels, "must be at least 1");
+  require(max_range_m > 0 && max_range_m <= 10, "memory.max_range_m", max_range_m,
+          "must be above 0 and at most 10");
+  require(clear_min_m >= 0, "memory.clear_min_m", clear_min_m, "must not be negative");
+  return errors;
+}
+
+ObstacleMemory::ObstacleMemory(const ObstacleMemoryConfig& config)
+    : config_((hardware::ThrowIfAny(config.Validate()), config)) {}
+
+ObstacleMemory::Cell ObstacleMemory::CellOf(double x_O, double y_O) const {
+  return {static_cast<std::int32_t>(std::floor(x_O / config_.cell_m)),
+          static_cast<std::int32_t>(std::floor(y_O / config_.cell_m))};
+}
+
+void ObstacleMemory::Add(Time t, const cv::Mat3f& obstacles_B, const Pose2& X_OB) {
+  MarkSeen(t, obstacles_B, X_OB);
+  ClearSeenPast(t, obstacles_B, X_OB);
+  const hardware::Duration keep = hardware::FromSeconds(config_.keep_s);
+  std::erase_if(cells_, [&](const auto& cell) { return t - cell.second > keep; });
+}
+
+void ObstacleMemory::MarkSeen(Time t, const cv::Mat3f& obstacles_B, const Pose2& X_OB) {
+  // Pixels are counted in a dense window round the robot.
+  const int reach = static_cast<int>(std::ceil(config_.max_range_m / config_.cell_m)) + 1;
+  const int side = 2 * reach + 1;
+  const Cell centre = CellOf(X_OB.x_m, X_OB.y_m);
+  std::vector<int> pixels(static_cast<std::size_t>(side) * side, 0);
+  const double c = std::cos(X_OB.heading_rad), s = std::sin(X_OB.heading_rad);
+  const double max_range2 = config_.max_range_m * config_.max_range_m;
+  for (int v = 0; v < obstacles_B.rows; ++v) {
+    for (int u = 0; u < obstacles_B.cols; ++u) {
+      const double x = obstacles_B(v, u)[0], y = obstacles_B(v, u)[1];
+      if (!(x * x + y * y <= max_range2)) continue;  // NaN too
+      const Cell cell = CellOf(X_OB.x_m + c * x - s * y, X_OB.y_m + s * x + c * y);
+      ++pixels[(cell.first - centre.first + reach) * side + cell.second - centre.second + reach];
+    }
+  }
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      if (pixels[i * side + j] < config_.min_pixels) continue;
+      cells_[{centre.first + i - reach, centre.second + j - reach}] = t;
+    }
+  }
+}
+
+void ObstacleMemory::ClearSeenPast(Time t, const cv::Mat3f& obstacles_B, const Pose2& X_OB) {
+  const Panorama panorama(obstacles_B);
+  const double margin = 3 * config_.cell_m;
+  std::erase_if(cells_, [&](const auto& cell) {
+    if (cell.second == t) return false;
+    const Eigen::Vector2d p_B = InBase(X_OB, (cell.first.first + 0.5) * config_.cell_m,
+                                       (cell.first.second + 0.5) * config_.cell_m);
+    const double range = p_B.norm();
+    return range >= config_.clear_min_m && panorama.SeesBeyond(p_B, range + margin);
+  });
+}
+
+std::vector<Eigen::Vector2d> ObstacleMemory::PointsInBase(const Pose2& X_OB) const {
+  std::vector<Eigen::Vector2d> points;
+  points.reserve(cells_.size());
+  for (const auto& [cell, seen] : cells_) {
+    points.push_back(
+        InBase(X_OB, (cell.first + 0.5) * config_.cell_m, (cell.second + 0.5) * config_.cell_m));
+  }
+  return points;
+}
+
+}  // namespace horopter::control

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "control/navigator/strips.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "vision/regions/depth_statistics.h"
+
+namespace horopter::control {
+namespace {
+
+constexpr Strip kStrips[] = {Strip::kLeft, Strip::kCentre, Strip::kRight};
+
+struct Place {
+  Strip strip;
+  double distance_m;
+};
+
+/// Where a point of the ground is with respect to a corridor.
+class Corridor {
+ public:
+  Corridor(double bearing_rad, double half_width_m)
+      : cos_(std::cos(bearing_rad)), sin_(std::sin(bearing_rad)), half_width_m_(half_width_m) {}
+
+  std::optional<Place> Locate(double x, double y) const {
+    const double along = x * cos_ + y * sin_;
+    const double across = y * cos_ - x * sin_;
+    if (!(along > 0)) return std::nullopt;
+    if (across > half_width_m_) return Place{Strip::kLeft, std::hypot(x, y)};
+    if (across < -half_width_m_) return Place{Strip::kRight, std::hypot(x, y)};
+    return Place{Strip::kCentre, along};
+  }
+
+ private:
+  double cos_;
+  double sin_;
+  double half_width_m_;
+};
+
+Strip StripOfColumn(int u, int width, double central_fraction) {
+  const double from_centre = (u - (width - 1) / 2.0) / width;
+  if (from_centre < -central_fraction / 2) return Strip::kLeft;
+  if (from_centre > central_fraction / 2) return Strip::kRight;
+  return Strip::kCentre;
+}
+
+void KeepNearer(std::optional<Obstacle>& nearest, const Obstacle& candidate) {
+  if (!nearest || candidate.near_m < nearest->near_m) nearest = candidate;
+}
+
+}  // namespace
+
+std::vector<hardware::FieldError> StripConfig::Validate() const {
+  std::vector<hardware::FieldError> errors;
+  const auto require = [&errors](bool good, const char* field, double value, const char* rule) {
+    if (!good) errors.push_back({field, std::to_string(value), rule});
+  };
+  require(central_fraction > 0 && central_fraction < 1, "strips.central_fraction", central_fraction,
+          "must be between 0 and 1, both excluded");
+  require(std::isfinite(corridor_half_width_m) && corridor_half_width_m > 0,
+          "strips.corridor_half_width_m", corridor_half_width_m, "must be finite and positive");
+  require(min_pixels >= 1, "strips.min_pixels", min_pixels, "must be at least 1");
+  require(near_fraction >= 0 && near_fraction < 1, "strips.near_fraction", near_fraction,
+          "must be at least 0 and less than 1");
+  return errors;
+}
+
+std::optional<Obstacle>& StripMeasurements::operator[](Strip strip) {
+  return strip == Strip::kLeft ? left : strip == Strip::kRight ? right : centre;
+}
+
+double StripMeasurements::near_m(Strip strip) const {
+  const auto& obstacle = strip == Strip::kLeft ? left : strip == Strip::kRight ? right : centre;
+  return obstacle ? obstacle->near_m : std::numeric_limits<double>::infinity();
+}
+
+StripMeasurements MeasureStrips(const SceneView& view, ObstacleTest test, double bearing_rad,
+                                const StripConfig& config) {
+  const Corridor corridor(bearing_rad, config.corridor_half_width_m);
+  const int width = view.obstacles_B.cols;
+  const auto locate = [&](int u, const cv::Vec3f& p) -> std::optional<Place> {
+    if (test == ObstacleTest::kCorridor) return corridor.Locate(p[0], p[1]);
+    return Place{StripOfColumn(u, width, config.central_fraction), p[0]};
+  };
+
+  // Distances of every region in every area.
+  std::vector<std::array<std::vector<float>, 3>> distances(view.regions.regions.size() + 1);
+  for (int v = 0; v < view.obstacles_B.rows; ++v) {
+    for (int u = 0; u < width; ++u) {
+      const cv::Vec3f& p = view.obstacles_B(v, u);
+      const int label = view.regions.labels(v, u);
+      if (std::isnan(p[0]) || (label == 0 && !config.edges_count)) continue;
+      const auto place = locate(u, p);
+      if (!place) continue;
+      distances[label][static_cast<int>(place->strip)].push_back(
+          static_cast<float>(place->distance_m));
+    }
+  }
+
+  StripMeasurements measured;
+  for (std::size_t label = 0; label < distances.size(); ++label) {
+    for (const Strip strip : kStrips) {
+      std::vector<float>& values = distances[label][static_cast<int>(strip)];
+      if (static_cast<int>(values.size()) < config.min_pixels) continue;
+      const vision::DepthStatistics s = vision::Summarise(values, config.near_fraction);
+      KeepNearer(measured[strip], {static_cast<int>(label), s.count, s.near_m});
+    }
+  }
+  return measured;
+}
+
+StripMeasurements MeasurePoints(const std::vector<Eigen::Vector2d>& points_B, double bearing_rad,
+                                const StripConfig& config) {
+  const Corridor corridor(bearing_rad, config.corridor_half_width_m);
+  StripMeasurements measured;
+  for (const Eigen::Vector2d& p : points_B) {
+    const auto place = corridor.Locate(p.x(), p.y());
+    if (!place) continue;
+    std::optional<Obstacle>& nearest = measured[place->strip];
+    const int count = (nearest ? nearest->count : 0) + 1;
+    KeepNearer(nearest, {Obstacle::kRemembered, count, place->distance_m});
+    nearest->count = count;
+  }
+  return measured;
+}
+
+StripMeasurements Nearest(const StripMeasurements& a, const StripMeasurements& b) {
+  StripMeasurements nearest = a;
+  if (b.left) KeepNearer(nearest.left, *b.left);
+  if (b.centre) KeepNearer(nearest.centre, *b.centre);
+  if (b.right) KeepNearer(nearest.right, *b.right);
+  return nearest;
+}
+
+}  // namespace horopter::control
