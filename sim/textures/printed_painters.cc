@@ -17,7 +17,7 @@ using cv::Vec3f;
 /// A saturated colour, B G R.
 Vec3f RandomColour(RandomStream& random, float saturation) {
   const double hue = random.Uniform(0, 2 * M_PI);
-  const float value = static_cast<float>(random.Uniform(60, 190));
+  const float value = static_cast<float>(random.Uniform(45, 150));
   Vec3f bgr;
   for (int c = 0; c < 3; ++c) {
     bgr[c] = value * (1 + saturation * static_cast<float>(std::cos(hue + c * 2 * M_PI / 3)));
@@ -84,7 +84,7 @@ std::vector<Book> FillShelf(RandomStream& random, double width_m, double shelf_m
     book.right_m = x;
     book.top_m = shelf_m * random.Uniform(0.12, 0.42);
     book.band_m = random.Uniform(0.03, 0.12);
-    book.cover = RandomColour(random, 0.55f);
+    book.cover = RandomColour(random, 0.38f);
     book.band = random.Uniform(0, 1) < 0.5 ? Vec3f(190, 205, 210) : RandomColour(random, 0.3f);
     books.push_back(book);
     if (random.Uniform(0, 1) < 0.06) x += random.Uniform(0.02, 0.08);
@@ -194,7 +194,7 @@ Painter PosterPainter(const TextureRecipe&, const Surface& s, std::uint64_t seed
   for (int i = 0; i < 16; ++i) {
     shapes.push_back({random.Uniform(0, s.width_m), random.Uniform(0, 0.75 * s.height_m),
                       s.width_m * random.Uniform(0.03, 0.2), random.Uniform(0, 1) < 0.6,
-                      RandomColour(random, 0.8f)});
+                      RandomColour(random, 0.6f)});
   }
   const double border = 0.04 * s.width_m;
   const Rectangle picture{border, border, s.width_m - border, s.height_m - border};

@@ -25,10 +25,10 @@ struct Span {
 };
 
 Span SpanAt(double position, int count) {
-  const double floor = std::floor(position);
-  const float t = static_cast<float>(position - floor);
-  int low = static_cast<int>(std::fmod(floor, count));
-  if (low < 0) low += count;
+  int low = static_cast<int>(position);
+  if (low > position) --low;
+  const float t = static_cast<float>(position - low);
+  if (low < 0 || low >= count) low = ((low % count) + count) % count;
   return {low, low + 1 == count ? 0 : low + 1, t * t * (3 - 2 * t)};
 }
 
