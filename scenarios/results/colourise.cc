@@ -56,9 +56,12 @@ const Table& TableOf(ColourMap map) {
   static const Table disparity = Diverging({58, 42, 64}, {36, 40, -58});
   static const Table error = Diverging({40, 4, -48}, {42, 62, 42});
   switch (map) {
-    case ColourMap::kDepth: return depth;
-    case ColourMap::kDisparity: return disparity;
-    case ColourMap::kSignedError: return error;
+    case ColourMap::kDepth:
+      return depth;
+    case ColourMap::kDisparity:
+      return disparity;
+    case ColourMap::kSignedError:
+      return error;
   }
   return depth;
 }
@@ -109,7 +112,8 @@ void DrawLabel(cv::Mat3b& picture, const std::string& text, cv::Point centre, do
   const cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, 1, &baseline);
   const cv::Point origin(
       std::clamp(centre.x - size.width / 2, 2, std::max(2, picture.cols - size.width - 2)),
-      std::clamp(centre.y + size.height / 2, size.height + 2, std::max(size.height + 2, picture.rows - 3)));
+      std::clamp(centre.y + size.height / 2, size.height + 2,
+                 std::max(size.height + 2, picture.rows - 3)));
   cv::putText(picture, text, origin, cv::FONT_HERSHEY_SIMPLEX, scale, {24, 24, 24}, 3, cv::LINE_AA);
   cv::putText(picture, text, origin, cv::FONT_HERSHEY_SIMPLEX, scale, {255, 255, 255}, 1,
               cv::LINE_AA);
@@ -125,9 +129,8 @@ cv::Vec3b MapColour(ColourMap map, double fraction) {
 
 cv::Mat3b ColouriseDepth(const cv::Mat1f& depth_m, double near_m, double far_m) {
   RequireDepthScale(near_m, far_m);
-  return Colourise(depth_m.size(), ColourMap::kDepth, [&](int x, int y) {
-    return DepthFraction(depth_m(y, x), near_m, far_m);
-  });
+  return Colourise(depth_m.size(), ColourMap::kDepth,
+                   [&](int x, int y) { return DepthFraction(depth_m(y, x), near_m, far_m); });
 }
 
 cv::Mat3b ColouriseDisparity(const vision::DisparityField& field, double limit_px) {

@@ -20,8 +20,8 @@ bool IsPhotograph(PictureKind kind) {
 
 cv::Mat ScaledDown(const cv::Mat& picture, bool photograph) {
   if (picture.cols <= kWidth) return picture;
-  const int height = std::max(1, static_cast<int>(std::lround(
-                                     static_cast<double>(picture.rows) * kWidth / picture.cols)));
+  const int height = std::max(
+      1, static_cast<int>(std::lround(static_cast<double>(picture.rows) * kWidth / picture.cols)));
   cv::Mat small;
   // A coloured map is never mixed: colours in between would be values that were never measured.
   cv::resize(picture, small, {kWidth, height}, 0, 0,
@@ -44,8 +44,9 @@ EmbeddedFrame::Picture Embed(const ReportFrame::Picture& picture, bool maps_as_p
   } else {
     cv::imencode(".jpg", small, bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
   }
-  return {picture.kind, (png ? "data:image/png;base64," : "data:image/jpeg;base64,") + Base64(bytes),
-          small.cols, small.rows};
+  return {picture.kind,
+          (png ? "data:image/png;base64," : "data:image/jpeg;base64,") + Base64(bytes), small.cols,
+          small.rows};
 }
 
 std::vector<EmbeddedFrame> EmbedSome(const std::vector<ReportFrame>& frames, std::size_t most,
@@ -82,7 +83,8 @@ std::vector<EmbeddedFrame> EmbedFrames(const std::vector<ReportFrame>& frames,
     bool maps_as_png;
   };
   std::vector<EmbeddedFrame> embedded;
-  for (const Attempt attempt : {Attempt{13, true}, {13, false}, {7, false}, {3, false}, {1, false}}) {
+  for (const Attempt attempt :
+       {Attempt{13, true}, {13, false}, {7, false}, {3, false}, {1, false}}) {
     embedded = EmbedSome(frames, attempt.most, attempt.maps_as_png);
     if (Size(embedded) <= budget_bytes) break;
   }

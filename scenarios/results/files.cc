@@ -20,10 +20,13 @@ namespace {
 std::string Remedy(int error) {
   switch (error) {
     case ENOSPC:
-    case EDQUOT: return "free some space or choose another folder with --out";
+    case EDQUOT:
+      return "free some space or choose another folder with --out";
     case ENOTDIR:
-    case EEXIST: return "a file is in the way: remove it or choose another folder with --out";
-    default: return "choose a folder that you may write with --out";
+    case EEXIST:
+      return "a file is in the way: remove it or choose another folder with --out";
+    default:
+      return "choose a folder that you may write with --out";
   }
 }
 
@@ -98,8 +101,8 @@ std::string ReadFile(const fs::path& file) {
   }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
-    throw ResultsError(fmt::format("cannot read {}: {}", file.string(),
-                                   std::generic_category().message(errno)));
+    throw ResultsError(
+        fmt::format("cannot read {}: {}", file.string(), std::generic_category().message(errno)));
   }
   return {std::istreambuf_iterator<char>(in), {}};
 }

@@ -52,15 +52,19 @@ struct Caption {
 
 Caption CaptionOf(PictureKind kind, const ColourScales& scales) {
   switch (kind) {
-    case PictureKind::kLeft: return {"Left eye", ""};
-    case PictureKind::kRight: return {"Right eye", ""};
+    case PictureKind::kLeft:
+      return {"Left eye", ""};
+    case PictureKind::kRight:
+      return {"Right eye", ""};
     case PictureKind::kRegions:
       return {"Regions, tinted and labelled with their mean depth", DepthLegend(scales)};
     case PictureKind::kDisparity:
       return {"Horizontal disparity (white: the horopter)",
               SignedLegend(ColourMap::kDisparity, scales.disparity_px, "px", "nearer", "farther")};
-    case PictureKind::kDepth: return {"Estimated depth", DepthLegend(scales)};
-    case PictureKind::kTrueDepth: return {"True depth", DepthLegend(scales)};
+    case PictureKind::kDepth:
+      return {"Estimated depth", DepthLegend(scales)};
+    case PictureKind::kTrueDepth:
+      return {"True depth", DepthLegend(scales)};
     case PictureKind::kDepthError:
       return {"Relative depth error",
               SignedLegend(ColourMap::kSignedError, 100 * scales.relative_error, "%", "too near",
@@ -96,11 +100,12 @@ std::string DepthSentence(const FrameRecord& record) {
   if (!record.depth) return "no truth to judge its depth by";
   const DepthScore& depth = *record.depth;
   if (!depth.abs_rel_median) return "no pixel with a depth to judge";
-  return fmt::format("{:.0f} % of pixels have a depth; half of them are within {} % of the truth, "
-                     "on average {} m {}",
-                     100 * depth.density, ShortNumber(100 * *depth.abs_rel_median),
-                     fmt::format("{:.3f}", std::abs(depth.bias_m.value_or(0))),
-                     depth.bias_m.value_or(0) < 0 ? "too near" : "too far");
+  return fmt::format(
+      "{:.0f} % of pixels have a depth; half of them are within {} % of the truth, "
+      "on average {} m {}",
+      100 * depth.density, ShortNumber(100 * *depth.abs_rel_median),
+      fmt::format("{:.3f}", std::abs(depth.bias_m.value_or(0))),
+      depth.bias_m.value_or(0) < 0 ? "too near" : "too far");
 }
 
 std::string Facts(const FrameRecord& record) {
@@ -133,8 +138,7 @@ std::string Article(const EmbeddedFrame& frame) {
       record.decision.empty() ? "" : " \u00b7 " + EscapeHtml(record.decision));
   html += Facts(record);
   html += Row(frame, "What it saw", false);
-  const std::string error_title =
-      "How wrong its depth was: " + EscapeHtml(DepthSentence(record));
+  const std::string error_title = "How wrong its depth was: " + EscapeHtml(DepthSentence(record));
   html += Row(frame, error_title.c_str(), true);
   return html + "</article>\n";
 }

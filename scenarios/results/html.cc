@@ -28,18 +28,24 @@ std::string HtmlPage(std::string_view title, std::string_view body) {
 
 std::string Badge(Outcome outcome) {
   switch (outcome) {
-    case Outcome::kPassed: return MakeBadge("passed", "\u2713", "passed");
-    case Outcome::kFailed: return MakeBadge("failed", "\u2717", "failed");
-    case Outcome::kError: return MakeBadge("error", "!", "error");
-    case Outcome::kIncomplete: return MakeBadge("incomplete", "\u2026", "incomplete");
+    case Outcome::kPassed:
+      return MakeBadge("passed", "\u2713", "passed");
+    case Outcome::kFailed:
+      return MakeBadge("failed", "\u2717", "failed");
+    case Outcome::kError:
+      return MakeBadge("error", "!", "error");
+    case Outcome::kIncomplete:
+      return MakeBadge("incomplete", "\u2026", "incomplete");
   }
   return "";
 }
 
 std::string Badge(ExpectationOutcome outcome) {
   switch (outcome) {
-    case ExpectationOutcome::kPassed: return MakeBadge("passed", "\u2713", "pass");
-    case ExpectationOutcome::kFailed: return MakeBadge("failed", "\u2717", "fail");
+    case ExpectationOutcome::kPassed:
+      return MakeBadge("passed", "\u2713", "pass");
+    case ExpectationOutcome::kFailed:
+      return MakeBadge("failed", "\u2717", "fail");
     case ExpectationOutcome::kNotApplicable:
       return MakeBadge("not_applicable", "\u2013", "not applicable");
   }

@@ -100,7 +100,8 @@ Extent ExtentOf(const PlanRecord& plan) {
 class View {
  public:
   explicit View(const Extent& extent)
-      : low_(extent.low()), high_(extent.high()),
+      : low_(extent.low()),
+        high_(extent.high()),
         scale_(std::min(kPlotWidth / (high_.first - low_.first),
                         kMaxPlotHeight / (high_.second - low_.second))) {}
 
@@ -134,28 +135,32 @@ std::string Axes(const View& view) {
   std::string svg = fmt::format(
       "<rect class=\"floor\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
       kLeft, kTop, view.width(), view.height());
-  const double step = NiceStep(std::max(view.high().first - view.low().first,
-                                        view.high().second - view.low().second), 8);
+  const double step = NiceStep(
+      std::max(view.high().first - view.low().first, view.high().second - view.low().second), 8);
   for (const double x_m : Ticks(view.low().first, view.high().first, step)) {
     const double x = view.Map(x_m, 0).first;
-    svg += fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/>"
-                       "<text class=\"soft\" x=\"{0:.1f}\" y=\"{3:.1f}\" text-anchor=\"middle\">"
-                       "{4}</text>\n",
-                       x, kTop, bottom, bottom + 16, TickText(x_m, step));
+    svg += fmt::format(
+        "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/>"
+        "<text class=\"soft\" x=\"{0:.1f}\" y=\"{3:.1f}\" text-anchor=\"middle\">"
+        "{4}</text>\n",
+        x, kTop, bottom, bottom + 16, TickText(x_m, step));
   }
   for (const double y_m : Ticks(view.low().second, view.high().second, step)) {
     const double y = view.Map(0, y_m).second;
-    svg += fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1:.1f}H{2:.1f}\"/>"
-                       "<text class=\"soft\" x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}"
-                       "</text>\n",
-                       kLeft, y, right, kLeft - 6, y + 4, TickText(y_m, step));
+    svg += fmt::format(
+        "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}H{2:.1f}\"/>"
+        "<text class=\"soft\" x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}"
+        "</text>\n",
+        kLeft, y, right, kLeft - 6, y + 4, TickText(y_m, step));
   }
-  svg += fmt::format("<text class=\"soft\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">"
-                     "x, ahead at the start [m] \u2192</text>\n",
-                     (kLeft + right) / 2, bottom + 35);
-  svg += fmt::format("<text class=\"soft\" transform=\"translate(14 {:.1f}) rotate(-90)\" "
-                     "text-anchor=\"middle\">y, left [m] \u2192</text>\n",
-                     (kTop + bottom) / 2);
+  svg += fmt::format(
+      "<text class=\"soft\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">"
+      "x, ahead at the start [m] \u2192</text>\n",
+      (kLeft + right) / 2, bottom + 35);
+  svg += fmt::format(
+      "<text class=\"soft\" transform=\"translate(14 {:.1f}) rotate(-90)\" "
+      "text-anchor=\"middle\">y, left [m] \u2192</text>\n",
+      (kTop + bottom) / 2);
   return svg;
 }
 
@@ -184,8 +189,8 @@ std::string Shapes(const View& view, const PlanRecord& plan) {
     if (shape.kind == "wall" || shape.name.empty()) continue;
     const auto [x_m, y_m] = Centre(shape.outline_m);
     const auto [x, y] = view.Map(x_m, y_m);
-    names += fmt::format("<text class=\"name\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y + 4,
-                         name);
+    names +=
+        fmt::format("<text class=\"name\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y + 4, name);
   }
   return svg + names;
 }
@@ -215,11 +220,12 @@ std::string Robot(const View& view, const hardware::Pose2& pose, double radius_m
                   const char* title) {
   const auto [x, y] = view.Map(pose.x_m, pose.y_m);
   const double radius = std::max(5.0, view.Pixels(radius_m));
-  return fmt::format("<g><title>{}</title><circle class=\"robot\" cx=\"{:.1f}\" cy=\"{:.1f}\" "
-                     "r=\"{:.1f}\"/><path class=\"heading\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>"
-                     "</g>\n",
-                     title, x, y, radius, x, y, x + radius * std::cos(pose.heading_rad),
-                     y - radius * std::sin(pose.heading_rad));
+  return fmt::format(
+      "<g><title>{}</title><circle class=\"robot\" cx=\"{:.1f}\" cy=\"{:.1f}\" "
+      "r=\"{:.1f}\"/><path class=\"heading\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>"
+      "</g>\n",
+      title, x, y, radius, x, y, x + radius * std::cos(pose.heading_rad),
+      y - radius * std::sin(pose.heading_rad));
 }
 
 std::string Paths(const View& view, const PlanRecord& plan) {
@@ -236,9 +242,10 @@ std::string Paths(const View& view, const PlanRecord& plan) {
 }
 
 std::string GoalSymbol(double x, double y) {
-  return fmt::format("<path class=\"goal\" d=\"M{0:.1f} {1:.1f}m-8 0a8 8 0 1 0 16 0a8 8 0 1 0 -16 0"
-                     "M{0:.1f} {1:.1f}m-12 0h24m-12 -12v24\"/>",
-                     x, y);
+  return fmt::format(
+      "<path class=\"goal\" d=\"M{0:.1f} {1:.1f}m-8 0a8 8 0 1 0 16 0a8 8 0 1 0 -16 0"
+      "M{0:.1f} {1:.1f}m-12 0h24m-12 -12v24\"/>",
+      x, y);
 }
 
 std::string WaypointSymbol(double x, double y) {
@@ -250,9 +257,10 @@ std::string Targets(const View& view, const PlanRecord& plan) {
   int number = 0;
   for (const auto& [x_m, y_m] : plan.waypoints_m) {
     const auto [x, y] = view.Map(x_m, y_m);
-    svg += fmt::format("<g><title>waypoint {0}: x {1:.2f} m, y {2:.2f} m</title>{3}"
-                       "<text class=\"name\" x=\"{4:.1f}\" y=\"{5:.1f}\">w{0}</text></g>\n",
-                       ++number, x_m, y_m, WaypointSymbol(x, y), x, y - 11);
+    svg += fmt::format(
+        "<g><title>waypoint {0}: x {1:.2f} m, y {2:.2f} m</title>{3}"
+        "<text class=\"name\" x=\"{4:.1f}\" y=\"{5:.1f}\">w{0}</text></g>\n",
+        ++number, x_m, y_m, WaypointSymbol(x, y), x, y - 11);
   }
   for (const auto& [x_m, y_m] : plan.goals_m) {
     const auto [x, y] = view.Map(x_m, y_m);
@@ -270,9 +278,8 @@ std::string Marks(const View& view, const std::vector<PlanMark>& marks) {
         "<g><title>frame {0}</title><circle class=\"mark\" cx=\"{1:.1f}\" cy=\"{2:.1f}\" r=\"4\"/>"
         "</g>",
         EscapeHtml(mark.label), x, y);
-    svg += mark.link.empty()
-               ? symbol
-               : fmt::format("<a href=\"{}\">{}</a>", EscapeHtml(mark.link), symbol);
+    svg += mark.link.empty() ? symbol
+                             : fmt::format("<a href=\"{}\">{}</a>", EscapeHtml(mark.link), symbol);
     svg += '\n';
   }
   return svg;
@@ -282,10 +289,11 @@ std::string ScaleBar(const View& view) {
   const double length_m = NiceStep(view.high().first - view.low().first, 6);
   const double right = kLeft + view.width();
   const double y = kTop + view.height() + 36;
-  return fmt::format("<path class=\"scale\" d=\"M{0:.1f} {1:.1f}v-4v8v-4H{2:.1f}v-4v8\"/>"
-                     "<text x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5} m</text>\n",
-                     right - view.Pixels(length_m), y, right,
-                     right - view.Pixels(length_m) - 6, y + 4, TickText(length_m, length_m));
+  return fmt::format(
+      "<path class=\"scale\" d=\"M{0:.1f} {1:.1f}v-4v8v-4H{2:.1f}v-4v8\"/>"
+      "<text x=\"{3:.1f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5} m</text>\n",
+      right - view.Pixels(length_m), y, right, right - view.Pixels(length_m) - 6, y + 4,
+      TickText(length_m, length_m));
 }
 
 struct LegendEntry {
@@ -303,7 +311,8 @@ std::vector<LegendEntry> LegendOf(const PlanRecord& plan, bool has_marks) {
     entries.push_back({line("odometry"), "odometry"});
     entries.push_back({"<path class=\"swept\" stroke-width=\"14\" d=\"M4 0H24\"/>", "swept width"});
   }
-  if (has_marks) entries.push_back({"<circle class=\"mark\" cx=\"14\" cy=\"0\" r=\"4\"/>", "frame shown"});
+  if (has_marks)
+    entries.push_back({"<circle class=\"mark\" cx=\"14\" cy=\"0\" r=\"4\"/>", "frame shown"});
   if (!plan.goals_m.empty()) entries.push_back({GoalSymbol(14, 0), "goal"});
   if (!plan.waypoints_m.empty()) {
     entries.push_back({WaypointSymbol(14, 0), "intermediate waypoint"});
@@ -313,7 +322,8 @@ std::vector<LegendEntry> LegendOf(const PlanRecord& plan, bool has_marks) {
     const std::string kind = KindClass(shape.kind);
     if (std::exchange(seen[kind], true)) continue;
     entries.push_back(
-        {fmt::format("<rect class=\"{}\" x=\"6\" y=\"-6\" width=\"16\" height=\"12\"/>", kind), kind});
+        {fmt::format("<rect class=\"{}\" x=\"6\" y=\"-6\" width=\"16\" height=\"12\"/>", kind),
+         kind});
   }
   return entries;
 }
@@ -327,9 +337,10 @@ std::pair<std::string, double> Legend(const View& view, const PlanRecord& plan, 
   for (const LegendEntry& entry : LegendOf(plan, has_marks)) {
     const double width = 28 + 6 + 6.6 * static_cast<double>(entry.text.size()) + 14;
     if (x > kLeft && x + width > right + kRight) x = kLeft, y += kLegendRow;
-    svg += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"34\" y=\"4\">{}</text>"
-                       "</g>\n",
-                       x, y, entry.symbol, entry.text);
+    svg += fmt::format(
+        "<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"34\" y=\"4\">{}</text>"
+        "</g>\n",
+        x, y, entry.symbol, entry.text);
     x += width;
   }
   return {svg, y + kLegendRow / 2};
@@ -341,10 +352,11 @@ std::string PlanSvg(const PlanRecord& plan, const std::vector<PlanMark>& marks) 
   const View view(ExtentOf(plan));
   const auto [legend, bottom] = Legend(view, plan, !marks.empty());
   const double width = std::max(kLeft + view.width() + kRight, 360.0);
-  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plan\" role=\"img\" "
-                     "aria-label=\"Plan of the room with the driven path\" "
-                     "viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n",
-                     width, bottom + 6) +
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plan\" role=\"img\" "
+             "aria-label=\"Plan of the room with the driven path\" "
+             "viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n",
+             width, bottom + 6) +
          kStyle + Axes(view) + Shapes(view, plan) + Paths(view, plan) + Marks(view, marks) +
          Targets(view, plan) + ScaleBar(view) + legend + "</svg>\n";
 }

@@ -8,13 +8,20 @@ namespace horopter::scenarios {
 
 const char* FileSuffix(PictureKind kind) {
   switch (kind) {
-    case PictureKind::kLeft: return "left";
-    case PictureKind::kRight: return "right";
-    case PictureKind::kRegions: return "regions";
-    case PictureKind::kDisparity: return "disparity";
-    case PictureKind::kDepth: return "depth";
-    case PictureKind::kTrueDepth: return "true_depth";
-    case PictureKind::kDepthError: return "depth_error";
+    case PictureKind::kLeft:
+      return "left";
+    case PictureKind::kRight:
+      return "right";
+    case PictureKind::kRegions:
+      return "regions";
+    case PictureKind::kDisparity:
+      return "disparity";
+    case PictureKind::kDepth:
+      return "depth";
+    case PictureKind::kTrueDepth:
+      return "true_depth";
+    case PictureKind::kDepthError:
+      return "depth_error";
   }
   assert(false);
   return "";

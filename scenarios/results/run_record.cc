@@ -7,10 +7,14 @@ namespace horopter::scenarios {
 
 std::string ToString(Outcome outcome) {
   switch (outcome) {
-    case Outcome::kPassed: return "passed";
-    case Outcome::kFailed: return "failed";
-    case Outcome::kError: return "error";
-    case Outcome::kIncomplete: return "incomplete";
+    case Outcome::kPassed:
+      return "passed";
+    case Outcome::kFailed:
+      return "failed";
+    case Outcome::kError:
+      return "error";
+    case Outcome::kIncomplete:
+      return "incomplete";
   }
   assert(false);
   return "";
@@ -18,9 +22,12 @@ std::string ToString(Outcome outcome) {
 
 std::string ToString(ExpectationOutcome outcome) {
   switch (outcome) {
-    case ExpectationOutcome::kPassed: return "passed";
-    case ExpectationOutcome::kFailed: return "failed";
-    case ExpectationOutcome::kNotApplicable: return "not_applicable";
+    case ExpectationOutcome::kPassed:
+      return "passed";
+    case ExpectationOutcome::kFailed:
+      return "failed";
+    case ExpectationOutcome::kNotApplicable:
+      return "not_applicable";
   }
   assert(false);
   return "";

@@ -86,7 +86,7 @@ struct FrameImages {
 /// A thing drawn on the plan of the room, in the robot's starting frame.
 struct PlanShape {
   std::string name;
-  std::string kind;                         ///< wall, furniture, obstacle, board
+  std::string kind;                                  ///< wall, furniture, obstacle, board
   std::vector<std::pair<double, double>> outline_m;  ///< closed polygon
 };
 
@@ -109,15 +109,15 @@ struct PlanRecord {
 struct RunSummary {
   std::string scenario;
   std::string description;
-  std::string file;      ///< as given on the command line
+  std::string file;  ///< as given on the command line
   std::uint64_t seed = 0;
   std::string backend;
   Outcome outcome = Outcome::kIncomplete;
   std::string error;  ///< why outcome is error or incomplete
   std::vector<ExpectationResult> expectations;
   std::map<std::string, double> metrics;  ///< every metric that has a value, by its name
-  std::string image_hash;     ///< over all images the stack saw; hex
-  std::string decision_hash;  ///< over all decisions and commands; hex
+  std::string image_hash;                 ///< over all images the stack saw; hex
+  std::string decision_hash;              ///< over all decisions and commands; hex
   std::map<std::string, StageTiming> timing_ms;
   std::optional<double> sim_s;   ///< nothing until the run has ended
   std::optional<double> wall_s;  ///< likewise

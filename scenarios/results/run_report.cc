@@ -16,8 +16,8 @@ namespace horopter::scenarios {
 namespace {
 
 std::string Header(const RunSummary& run) {
-  std::string html = fmt::format("<header>{}<div><h1>{}</h1>", Badge(run.outcome),
-                                 EscapeHtml(run.scenario));
+  std::string html =
+      fmt::format("<header>{}<div><h1>{}</h1>", Badge(run.outcome), EscapeHtml(run.scenario));
   if (!run.description.empty()) {
     html += fmt::format("<p class=\"lead\">{}</p>", EscapeHtml(run.description));
   }
@@ -41,9 +41,9 @@ std::string Notice(const RunSummary& run) {
   std::string failures;
   for (const ExpectationResult& e : run.expectations) {
     if (e.outcome != ExpectationOutcome::kFailed) continue;
-    failures += fmt::format("<li><b>{}</b>: {}</li>", EscapeHtml(e.name),
-                            e.detail.empty() ? "was " + Quantity(e.value, e.unit)
-                                             : EscapeHtml(e.detail));
+    failures +=
+        fmt::format("<li><b>{}</b>: {}</li>", EscapeHtml(e.name),
+                    e.detail.empty() ? "was " + Quantity(e.value, e.unit) : EscapeHtml(e.detail));
   }
   if (!failures.empty()) html += "<p><b>Not met:</b></p><ul>" + failures + "</ul>";
   return html + "</div>\n";
@@ -62,8 +62,9 @@ std::string Expectations(const RunSummary& run) {
   if (run.expectations.empty()) {
     return html + "<p class=\"empty\">The scenario expects nothing.</p></section>\n";
   }
-  html += "<div class=\"scroll\"><table><thead><tr><th>expected</th><th class=\"number\">value</th>"
-          "<th class=\"number\">limit</th><th>outcome</th></tr></thead><tbody>\n";
+  html +=
+      "<div class=\"scroll\"><table><thead><tr><th>expected</th><th class=\"number\">value</th>"
+      "<th class=\"number\">limit</th><th>outcome</th></tr></thead><tbody>\n";
   for (const ExpectationResult& e : run.expectations) html += ExpectationRow(e);
   return html + "</tbody></table></div></section>\n";
 }
@@ -129,8 +130,8 @@ std::vector<TimeChart> ChartsOf(const RunReport& report) {
   TimeChart clearance{"Clearance", "m", {}, LimitsOf(report.summary, "clearance", 1), {}};
   clearance.series.push_back(
       Series("clearance", frames, [](const FrameRecord& f) { return f.clearance_m; }));
-  TimeChart fixation{"Fixation error", "deg", {},
-                     LimitsOf(report.summary, "fixation.error_deg", 1), {}};
+  TimeChart fixation{
+      "Fixation error", "deg", {}, LimitsOf(report.summary, "fixation.error_deg", 1), {}};
   fixation.series.push_back(
       Series("fixation error", frames, [](const FrameRecord& f) { return f.fixation_error_deg; }));
   TimeChart density{"Pixels with a disparity", "%", {}, {}, {}};
@@ -169,9 +170,10 @@ std::string Timing(const RunSummary& run) {
   for (const auto& [stage, timing] : run.timing_ms) {
     longest_ms = std::max({longest_ms, timing.median_ms, timing.p95_ms});
   }
-  html += "<div class=\"scroll\"><table><thead><tr><th>stage</th><th class=\"number\">median ms</th>"
-          "<th class=\"number\">95 % ms</th><th class=\"number\">times</th>"
-          "<th style=\"width:30%\">median, 95 %</th></tr></thead><tbody>\n";
+  html +=
+      "<div class=\"scroll\"><table><thead><tr><th>stage</th><th class=\"number\">median ms</th>"
+      "<th class=\"number\">95 % ms</th><th class=\"number\">times</th>"
+      "<th style=\"width:30%\">median, 95 %</th></tr></thead><tbody>\n";
   for (const auto& [stage, timing] : run.timing_ms) html += TimingRow(stage, timing, longest_ms);
   return html + "</tbody></table></div></section>\n";
 }
@@ -207,9 +209,10 @@ std::string Metrics(const RunSummary& run) {
     rows += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td></tr>\n", EscapeHtml(name),
                         ShortNumber(value));
   }
-  return fmt::format("<details><summary>All {} metrics</summary><table><tbody>\n{}</tbody></table>"
-                     "</details>\n",
-                     run.metrics.size(), rows);
+  return fmt::format(
+      "<details><summary>All {} metrics</summary><table><tbody>\n{}</tbody></table>"
+      "</details>\n",
+      run.metrics.size(), rows);
 }
 
 }  // namespace
@@ -222,8 +225,8 @@ std::string RepeatCommand(const RunSummary& run) {
 
 std::string RunReportHtml(const RunReport& report) {
   const RunSummary& run = report.summary;
-  const std::string title = fmt::format("{}: {} seed {}", ToString(run.outcome), run.scenario,
-                                        run.seed);
+  const std::string title =
+      fmt::format("{}: {} seed {}", ToString(run.outcome), run.scenario, run.seed);
   std::string body = Header(run) + Notice(run);
   body += "<div class=\"columns\">\n" + Where(report) + Expectations(run) + "</div>\n";
   body += FrameSection(report.pictures);

@@ -13,9 +13,9 @@ namespace horopter::scenarios {
 struct RunReport {
   RunSummary summary;
   PlanRecord plan;
-  std::vector<FrameRecord> frames;       ///< every frame, for the charts
-  std::vector<EmbeddedFrame> pictures;   ///< the frames shown
-  std::string resolved_scenario;         ///< YAML
+  std::vector<FrameRecord> frames;      ///< every frame, for the charts
+  std::vector<EmbeddedFrame> pictures;  ///< the frames shown
+  std::string resolved_scenario;        ///< YAML
 };
 
 /// The run as one HTML page that needs nothing beside it: where the robot went, what it saw, how

@@ -21,9 +21,8 @@ void WriteSuite(const fs::path& folder, const std::vector<RunSummary>& runs) {
 
 std::vector<RunSummary> ReadSuiteSummary(const fs::path& folder_or_file) {
   std::error_code ignored;
-  const fs::path file = fs::is_directory(folder_or_file, ignored)
-                            ? folder_or_file / "summary.json"
-                            : folder_or_file;
+  const fs::path file =
+      fs::is_directory(folder_or_file, ignored) ? folder_or_file / "summary.json" : folder_or_file;
   const std::string text = ReadFile(file);
   try {
     std::vector<RunSummary> runs = ParseSummaryText(text);

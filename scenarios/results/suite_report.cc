@@ -25,9 +25,9 @@ Outcome Overall(const std::vector<RunSummary>& runs) {
 }
 
 std::string Header(const std::vector<RunSummary>& runs) {
-  std::string html = fmt::format("<header>{}<div><h1>{} of {} runs passed</h1><ul class=\"facts\">",
-                                 Badge(Overall(runs)), CountOf(runs, Outcome::kPassed),
-                                 runs.size());
+  std::string html =
+      fmt::format("<header>{}<div><h1>{} of {} runs passed</h1><ul class=\"facts\">",
+                  Badge(Overall(runs)), CountOf(runs, Outcome::kPassed), runs.size());
   for (const Outcome outcome : {Outcome::kFailed, Outcome::kError, Outcome::kIncomplete}) {
     const int count = CountOf(runs, outcome);
     if (count > 0) {
@@ -54,9 +54,9 @@ std::string Trouble(const RunSummary& run) {
   if (!run.error.empty()) html += "<small>" + EscapeHtml(run.error) + "</small>";
   for (const ExpectationResult& e : run.expectations) {
     if (e.outcome != ExpectationOutcome::kFailed) continue;
-    html += fmt::format("<small>\u2717 {}: {}</small>", EscapeHtml(e.name),
-                        e.detail.empty() ? "was " + Quantity(e.value, e.unit)
-                                         : EscapeHtml(e.detail));
+    html +=
+        fmt::format("<small>\u2717 {}: {}</small>", EscapeHtml(e.name),
+                    e.detail.empty() ? "was " + Quantity(e.value, e.unit) : EscapeHtml(e.detail));
   }
   return html;
 }
@@ -81,13 +81,15 @@ std::string Row(const RunSummary& run) {
 
 std::string SuiteReportHtml(const std::vector<RunSummary>& runs) {
   std::string body = Header(runs);
-  body += "<section class=\"card\"><div class=\"scroll\"><table><thead><tr><th>outcome</th>"
-          "<th>scenario</th><th class=\"number\">seed</th><th>backend</th>"
-          "<th class=\"number\">met</th><th class=\"number\">simulated</th>"
-          "<th class=\"number\">took</th></tr></thead><tbody>\n";
+  body +=
+      "<section class=\"card\"><div class=\"scroll\"><table><thead><tr><th>outcome</th>"
+      "<th>scenario</th><th class=\"number\">seed</th><th>backend</th>"
+      "<th class=\"number\">met</th><th class=\"number\">simulated</th>"
+      "<th class=\"number\">took</th></tr></thead><tbody>\n";
   for (const RunSummary& run : runs) body += Row(run);
-  body += "</tbody></table></div></section>\n<footer>Beside this page: summary.json and junit.xml "
-          "of all runs.</footer>\n";
+  body +=
+      "</tbody></table></div></section>\n<footer>Beside this page: summary.json and junit.xml "
+      "of all runs.</footer>\n";
   return HtmlPage(fmt::format("{} of {} runs passed", CountOf(runs, Outcome::kPassed), runs.size()),
                   body);
 }

@@ -17,15 +17,14 @@ Json OrNull(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
-Json OrNull(const std::string& text) { return text.empty() ? Json(nullptr) : Json(CleanText(text)); }
+Json OrNull(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(CleanText(text));
+}
 
 Json ToJson(const ExpectationResult& expectation) {
-  return {{"name", CleanText(expectation.name)},
-          {"value", OrNull(expectation.value)},
-          {"limit", OrNull(expectation.limit)},
-          {"unit", CleanText(expectation.unit)},
-          {"outcome", ToString(expectation.outcome)},
-          {"metric", OrNull(expectation.metric)},
+  return {{"name", CleanText(expectation.name)},      {"value", OrNull(expectation.value)},
+          {"limit", OrNull(expectation.limit)},       {"unit", CleanText(expectation.unit)},
+          {"outcome", ToString(expectation.outcome)}, {"metric", OrNull(expectation.metric)},
           {"detail", OrNull(expectation.detail)}};
 }
 

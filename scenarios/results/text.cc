@@ -64,12 +64,23 @@ std::string EscapeHtml(std::string_view text) {
   std::string escaped;
   for (const char c : CleanText(text)) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
-      default: escaped += c;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
     }
   }
   return escaped;
@@ -99,7 +110,8 @@ std::string ShellWord(std::string_view word) {
 
 std::string CsvField(std::string_view text) {
   std::string field = CleanText(text);
-  std::replace_if(field.begin(), field.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      field.begin(), field.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   if (field.find_first_of(",\"") == std::string::npos) return field;
   std::string quoted = "\"";
   for (const char c : field) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -113,7 +125,8 @@ std::string ExactNumber(std::optional<double> value) {
 std::string ShortNumber(std::optional<double> value) {
   if (!value || std::isnan(*value)) return "\u2013";
   const double magnitude = std::abs(*value);
-  if (magnitude != 0 && (magnitude < 1e-4 || magnitude >= 1e6)) return fmt::format("{:.3g}", *value);
+  if (magnitude != 0 && (magnitude < 1e-4 || magnitude >= 1e6))
+    return fmt::format("{:.3g}", *value);
   const int whole_digits = magnitude < 1 ? 1 : static_cast<int>(std::log10(magnitude)) + 1;
   std::string text = fmt::format("{:.{}f}", *value, std::max(0, 4 - whole_digits));
   if (text.find('.') == std::string::npos) return text;

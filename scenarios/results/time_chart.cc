@@ -62,15 +62,17 @@ std::string Axes(const ChartView& view) {
   std::string svg;
   const double value_step = NiceStep(view.high - view.low, 4);
   for (const double value : Ticks(view.low, view.high, value_step)) {
-    svg += fmt::format("<path class=\"grid\" d=\"M{0} {1:.1f}H{2}\"/><text class=\"soft\" x=\"{3}\" "
-                       "y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
-                       kLeft, view.Y(value), kWidth - kRight, kLeft - 6, view.Y(value) + 4,
-                       TickText(value, value_step));
+    svg += fmt::format(
+        "<path class=\"grid\" d=\"M{0} {1:.1f}H{2}\"/><text class=\"soft\" x=\"{3}\" "
+        "y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
+        kLeft, view.Y(value), kWidth - kRight, kLeft - 6, view.Y(value) + 4,
+        TickText(value, value_step));
   }
   const double time_step = NiceStep(view.end_s, 10);
   for (const double t_s : Ticks(0, view.end_s, time_step)) {
-    svg += fmt::format("<text class=\"soft\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                       view.X(t_s), kHeight - kBottom + 16, TickText(t_s, time_step));
+    svg +=
+        fmt::format("<text class=\"soft\" x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                    view.X(t_s), kHeight - kBottom + 16, TickText(t_s, time_step));
   }
   svg += fmt::format("<text class=\"soft\" x=\"{}\" y=\"{}\" text-anchor=\"end\">time [s]</text>\n",
                      kWidth - kRight, kHeight - 4);
@@ -82,7 +84,8 @@ std::string Steps(const TimeChart& chart, const ChartView& view) {
   double free_from = 0;
   for (const auto& [t_s, name] : chart.steps) {
     const double x = view.X(t_s);
-    svg += fmt::format("<path class=\"step\" d=\"M{:.1f} {}V{}\"/>", x, kTop - 12, kHeight - kBottom);
+    svg +=
+        fmt::format("<path class=\"step\" d=\"M{:.1f} {}V{}\"/>", x, kTop - 12, kHeight - kBottom);
     if (x < free_from) continue;
     svg += fmt::format("<text class=\"soft\" x=\"{:.1f}\" y=\"{}\">{}</text>", x + 4, kTop - 5,
                        EscapeHtml(name));
@@ -95,9 +98,10 @@ std::string Limits(const TimeChart& chart, const ChartView& view) {
   std::string svg;
   for (const ChartLimit& limit : chart.limits) {
     const double y = view.Y(limit.value);
-    svg += fmt::format("<path class=\"limit\" d=\"M{0} {1:.1f}H{2}\"/><text class=\"limit-name\" "
-                       "x=\"{2}\" y=\"{3:.1f}\" text-anchor=\"end\">{4}</text>",
-                       kLeft, y, kWidth - kRight, y - 4, EscapeHtml(limit.name));
+    svg += fmt::format(
+        "<path class=\"limit\" d=\"M{0} {1:.1f}H{2}\"/><text class=\"limit-name\" "
+        "x=\"{2}\" y=\"{3:.1f}\" text-anchor=\"end\">{4}</text>",
+        kLeft, y, kWidth - kRight, y - 4, EscapeHtml(limit.name));
   }
   return svg;
 }
@@ -116,10 +120,11 @@ std::string Line(const TimeSeries& series, int number, const std::string& unit,
     const double y = view.Y(*value);
     path += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', x, y);
     pen_down = true;
-    dots += fmt::format("<circle class=\"dot{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"><title>"
-                        "{} {}{} at {:.2f} s</title></circle>",
-                        number, x, y, EscapeHtml(series.name), ShortNumber(value),
-                        EscapeHtml(unit.empty() ? "" : " " + unit), t_s);
+    dots += fmt::format(
+        "<circle class=\"dot{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"><title>"
+        "{} {}{} at {:.2f} s</title></circle>",
+        number, x, y, EscapeHtml(series.name), ShortNumber(value),
+        EscapeHtml(unit.empty() ? "" : " " + unit), t_s);
   }
   return fmt::format("<path class=\"line{}\" d=\"{}\"/>{}\n", number, path, dots);
 }
