@@ -25,6 +25,9 @@ cv::Mat1b Textured(const cv::Mat1b& grey, int window_px, double min_grey) {
   return mean_square - mean.mul(mean) >= min_grey * min_grey;
 }
 
+/// cv::DISOpticalFlow does not take a part of a larger image.
+cv::Mat1b Continuous(const cv::Mat1b& grey) { return grey.isContinuous() ? grey : grey.clone(); }
+
 }  // namespace
 
 std::vector<hardware::FieldError> DisConfig::Validate() const {
@@ -84,7 +87,7 @@ DisparityField DisEstimator::Flow(const cv::Mat1b& from, const cv::Mat1b& to) co
   if (std::min(size.width, size.height) < kSmallestSide) return field;
 
   cv::Mat2f flow;
-  cv::DISOpticalFlow::create(config_.preset)->calc(from, to, flow);
+  cv::DISOpticalFlow::create(config_.preset)->calc(Continuous(from), Continuous(to), flow);
   cv::extractChannel(flow, field.dx, 0);
   cv::extractChannel(flow, field.dy, 1);
   field.valid = Textured(from, config_.contrast_window_px, config_.min_contrast_grey);

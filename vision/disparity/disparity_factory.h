@@ -4,8 +4,8 @@
 #include <memory>
 #include <string_view>
 
-#include "vision/disparity/disparity_estimator.h"
 #include "vision/disparity/dis_estimator.h"
+#include "vision/disparity/disparity_estimator.h"
 #include "vision/disparity/v1_config.h"
 
 namespace horopter::vision {

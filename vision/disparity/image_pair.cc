@@ -14,15 +14,13 @@ std::string Describe(const cv::Mat& image) {
 }
 
 bool Usable(const cv::Mat& image) {
-  return !image.empty() && image.dims == 2 &&
-         (image.type() == CV_8UC1 || image.type() == CV_8UC3);
+  return !image.empty() && image.dims == 2 && (image.type() == CV_8UC1 || image.type() == CV_8UC3);
 }
 
 }  // namespace
 
 void CheckPair(const cv::Mat& left, const cv::Mat& right) {
-  if (Usable(left) && Usable(right) && left.size() == right.size() &&
-      left.type() == right.type()) {
+  if (Usable(left) && Usable(right) && left.size() == right.size() && left.type() == right.type()) {
     return;
   }
   throw std::invalid_argument("stereo pair: left is " + Describe(left) + ", right is " +

@@ -19,8 +19,8 @@ void CheckLeftRight(const DisparityField& right_to_left, double max_distance_px,
       const float dy = there.dy(y, x);
       const int right_x = cvRound(static_cast<float>(x) + dx);
       const int right_y = cvRound(static_cast<float>(y) + dy);
-      const bool inside = right_x >= 0 && right_y >= 0 && right_x < back.valid.cols &&
-                          right_y < back.valid.rows;
+      const bool inside =
+          right_x >= 0 && right_y >= 0 && right_x < back.valid.cols && right_y < back.valid.rows;
       if (inside && back.valid(right_y, right_x) != 0) {
         const double missed_x = dx + back.dx(right_y, right_x);
         const double missed_y = dy + back.dy(right_y, right_x);

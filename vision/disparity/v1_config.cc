@@ -53,8 +53,6 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
             min_orientations, "must be 2 to 8");
   c.Require(Positive(min_conditioning) && min_conditioning < 1, "min_conditioning",
             min_conditioning, "must be between 0 and 1");
-  c.Require(NotNegative(max_residual_px), "max_residual_px", max_residual_px,
-            "must not be negative");
   c.Require(NotNegative(pooling_sigma_px) && pooling_sigma_px <= 10, "pooling_sigma_px",
             pooling_sigma_px, "must be in [0, 10]");
   c.Require(scales >= 1 && scales <= 12, "scales", scales, "must be 1 to 12");
@@ -64,6 +62,8 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
             "must be 0, 3 or 5");
   c.Require(max_kept_octaves >= 0 && max_kept_octaves <= 12, "max_kept_octaves", max_kept_octaves,
             "must be 0 to 12");
+  c.Require(min_correlation >= -1 && min_correlation < 1, "min_correlation", min_correlation,
+            "must be in [-1, 1)");
   c.Require(NotNegative(left_right_px), "left_right_px", left_right_px, "must not be negative");
   return c.Take();
 }
@@ -74,12 +74,12 @@ V1Config V1Config::Preset(std::string_view name) {
   if (name == "paper_2009") {
     config.soft_threshold = false;
     config.noise_grey = 0.3;  // of rounding to 8 bits
-    config.max_residual_px = 0;
     config.energy_weights = false;
     config.pooling_sigma_px = 0;
     config.iterations = 1;
     config.median_px = 0;
     config.max_kept_octaves = config.scales;
+    config.min_correlation = -1;
     config.left_right_px = 0;
     return config;
   }

@@ -55,9 +55,6 @@ struct V1Config {
   /// Smallest ratio of the eigenvalues of the least squares: below it the pixel sees one direction
   /// only (the aperture problem).
   double min_conditioning = 0.05;
-  /// Largest root mean square by which the orientations' disparities may miss the vector that
-  /// they make together [px]; more is no match. 0 = any (2009).
-  double max_residual_px = 0.7;
   /// Weigh each orientation by its energy. 2009: false, all that count count alike.
   bool energy_weights = true;
   /// Deviation of the Gaussian over which neighbours share their constraints [px]; 0 = none (2009).
@@ -78,8 +75,11 @@ struct V1Config {
   /// unconfirmed one is invalid. 2009: all.
   int max_kept_octaves = 2;
 
-  // --- Check ---
+  // --- Checks ---
 
+  /// Smallest binocular correlation of a match, -1 to 1 (PopulationDisparity): it finds what only
+  /// one eye sees, and matches beyond the reach. Below it the match is invalid. -1 = any (2009).
+  double min_correlation = 0.45;
   /// Largest distance between a pixel and where its match in the right image points back to [px];
   /// 0 = no check (2009). It finds occlusions and most false matches, at twice the time.
   double left_right_px = 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/disparity/v1_energy.h"
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -74,7 +75,8 @@ DisparityField V1EnergyEstimator::CoarseToFine(const CellPyramid& from,
   DisparityField field = ZeroField(from.back().size());
   for (std::size_t scale = from.size(); scale-- > 0;) {
     if (scale + 1 < from.size()) field = Propagate(field, from[scale].size());
-    for (int i = 0; i < config_.iterations; ++i) Refine(from[scale], to[scale], static_cast<int>(scale), field);
+    for (int i = 0; i < config_.iterations; ++i)
+      Refine(from[scale], to[scale], static_cast<int>(scale), field);
     if (config_.median_px > 0) {
       cv::medianBlur(field.dx, field.dx, config_.median_px);
       cv::medianBlur(field.dy, field.dy, config_.median_px);
@@ -93,16 +95,17 @@ void V1EnergyEstimator::Refine(const SimpleCellMap& from, const SimpleCellMap& t
                      cv::BORDER_REPLICATE);
   }
   const auto confirmed = static_cast<unsigned char>(config_.max_kept_octaves + 1);
+  const auto min_correlation = static_cast<float>(config_.min_correlation);
   cv::parallel_for_(cv::Range(0, constraints.rows), [&](const cv::Range& rows) {
     for (int y = rows.start; y < rows.end; ++y) {
       const auto* row = reinterpret_cast<const Constraints*>(constraints.ptr<float>(y));
       for (int x = 0; x < constraints.cols; ++x) {
         const PopulationDisparity step = population_.Intersect(row[x]);
-        if (!step.valid) continue;
+        if (!step.solved) continue;
         field.dx(y, x) += step.dx;
         field.dy(y, x) += step.dy;
-        field.confidence(y, x) = step.confidence;
-        field.valid(y, x) = confirmed;
+        field.confidence(y, x) = std::max(step.correlation, 0.0F);
+        field.valid(y, x) = step.correlation >= min_correlation ? confirmed : 0;
       }
     }
   });

@@ -16,11 +16,11 @@ namespace horopter::vision {
 /// kOrientations x kPhaseShifts energy neurons, their activity is decoded into a vector, and a
 /// pyramid extends the reach to +-max_disparity_px * (2^scales - 1).
 ///
-/// Invalid are: pixels without texture, with an aperture problem or with contradicting
-/// orientations at every scale that counts; matches outside the right image; and, with
-/// `left_right_px`, what the reverse direction does not confirm. Confidence is how well the
-/// orientations of the finest scale that saw the pixel agree (PopulationDisparity), halved for
-/// every octave that this scale is above full size.
+/// Invalid are: pixels without texture at every scale that counts; matches of too little binocular
+/// correlation, where the preset asks for any; matches outside the right image; and, with
+/// `left_right_px`, what the reverse direction does not confirm. Confidence is the binocular
+/// correlation (PopulationDisparity) of the finest scale that saw the pixel, at the start of its
+/// last iteration, halved for every octave that this scale is above full size.
 class V1EnergyEstimator final : public DisparityEstimator {
  public:
   /// @throws ConfigError naming every bad field.

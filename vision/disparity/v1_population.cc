@@ -6,8 +6,23 @@
 
 namespace horopter::vision {
 
+namespace {
+
 // Loops over orientations run over consecutive floats without branches, for the compiler to turn
-// into vector instructions.
+// into vector instructions; that is also why sums are taken per orientation first.
+
+float Sum(const std::array<float, kOrientations>& v) {
+  static_assert(kOrientations == 8);
+  return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+}
+
+float Dot(const std::array<float, kOrientations>& a, const std::array<float, kOrientations>& b) {
+  std::array<float, kOrientations> products;
+  for (int i = 0; i < kOrientations; ++i) products[i] = a[i] * b[i];
+  return Sum(products);
+}
+
+}  // namespace
 
 Population::Population(const V1Config& config)
     : config_(config),
@@ -23,6 +38,9 @@ Population::Population(const V1Config& config)
   for (int i = 0; i < kOrientations; ++i) {
     nx_[i] = static_cast<float>(std::cos(OrientationRad(i)));
     ny_[i] = static_cast<float>(std::sin(OrientationRad(i)));
+    nx_nx_[i] = nx_[i] * nx_[i];
+    nx_ny_[i] = nx_[i] * ny_[i];
+    ny_ny_[i] = ny_[i] * ny_[i];
   }
 }
 
@@ -37,17 +55,17 @@ Constraints Population::Decode(const SimpleCells& left, const SimpleCells& right
                                float textureless_energy) const {
   const Energies energy = BinocularEnergy(left, right);
 
-  float total = 0;
+  PerOrientation total = {};
   PerOrientation low = energy[0];
   PerOrientation high = energy[0];
   for (const PerOrientation& e : energy) {
     for (int i = 0; i < kOrientations; ++i) {
-      total += e[i];
-      low[i] = std::min(low[i], e[i]);
-      high[i] = std::max(high[i], e[i]);
+      total[i] += e[i];
+      low[i] = e[i] < low[i] ? e[i] : low[i];
+      high[i] = e[i] > high[i] ? e[i] : high[i];
     }
   }
-  const float mean = total / (kOrientations * kPhaseShifts);
+  const float mean = Sum(total) / (kOrientations * kPhaseShifts);
   if (mean < textureless_energy) return {};
 
   const PerOrientation disparity = CentreOfMass(energy, low, high);
@@ -55,20 +73,24 @@ Constraints Population::Decode(const SimpleCells& left, const SimpleCells& right
   // Divisive normalisation: response = energy / (c + mean energy of the pixel's population). The
   // centre of mass does not depend on it; which orientations count does.
   const float gain = 1 / (static_cast<float>(config_.saturation_grey) + mean);
-  Constraints sums;
+  const auto least = static_cast<float>(config_.min_orientation_response);
+  PerOrientation counts, weight, pull;
   for (int i = 0; i < kOrientations; ++i) {
     const float response = gain * high[i];
-    const bool counts = response >= static_cast<float>(config_.min_orientation_response);
-    const float w = counts ? (config_.energy_weights ? response : 1.0F) : 0.0F;
-    sums.nx_nx += w * nx_[i] * nx_[i];
-    sums.nx_ny += w * nx_[i] * ny_[i];
-    sums.ny_ny += w * ny_[i] * ny_[i];
-    sums.nx_d += w * nx_[i] * disparity[i];
-    sums.ny_d += w * ny_[i] * disparity[i];
-    sums.d_d += w * disparity[i] * disparity[i];
-    sums.weight += w;
-    sums.count += counts ? 1.0F : 0.0F;
+    counts[i] = response >= least ? 1.0F : 0.0F;
+    weight[i] = counts[i] * (config_.energy_weights ? response : 1.0F);
+    pull[i] = weight[i] * disparity[i];
   }
+  Constraints sums;
+  sums.nx_nx = Dot(weight, nx_nx_);
+  sums.nx_ny = Dot(weight, nx_ny_);
+  sums.ny_ny = Dot(weight, ny_ny_);
+  sums.nx_d = Dot(pull, nx_);
+  sums.ny_d = Dot(pull, ny_);
+  sums.count = Sum(counts);
+  sums.agreement = 2 * (Dot(left.even, right.even) + Dot(left.odd, right.odd));
+  sums.power = Dot(left.even, left.even) + Dot(left.odd, left.odd) + Dot(right.even, right.even) +
+               Dot(right.odd, right.odd);
   return sums;
 }
 
@@ -122,12 +144,8 @@ PopulationDisparity Population::Intersect(const Constraints& c) const {
 
   out.dx = (c.ny_ny * c.nx_d - c.nx_ny * c.ny_d) / determinant;
   out.dy = (c.nx_nx * c.ny_d - c.nx_ny * c.nx_d) / determinant;
-  const float squares = c.d_d - out.dx * c.nx_d - out.dy * c.ny_d;
-  const float residual = std::sqrt(std::max(squares, 0.0F) / c.weight);
-  const float limit = static_cast<float>(config_.max_residual_px);
-  out.valid = limit <= 0 || residual <= limit;
-  out.confidence =
-      std::max(0.0F, 1 - residual / static_cast<float>(config_.max_disparity_px));
+  out.correlation = c.agreement / c.power;
+  out.solved = true;
   return out;
 }
 

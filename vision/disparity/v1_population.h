@@ -14,17 +14,20 @@ namespace horopter::vision {
 struct Constraints {
   float nx_nx = 0, nx_ny = 0, ny_ny = 0;  ///< sum w n n^T
   float nx_d = 0, ny_d = 0;               ///< sum w n d
-  float d_d = 0;                          ///< sum w d^2
-  float weight = 0;                       ///< sum w
-  float count = 0;                        ///< orientations
+  float count = 0;                        ///< orientations that count
+  float agreement = 0;                    ///< sum 2 Re(L conj R) over all orientations
+  float power = 0;                        ///< sum |L|^2 + |R|^2
 };
 
 /// A disparity vector relative to where the right responses were taken.
 struct PopulationDisparity {
   float dx = 0;
   float dy = 0;
-  float confidence = 0;  ///< 1 - residual / max_disparity_px: how well the orientations agree
-  bool valid = false;
+  /// Binocular correlation of the responses as taken, before the step (dx, dy): 1 for equal images,
+  /// about 0 for unrelated ones. It is what the cell tuned to zero disparity sees above chance:
+  /// energy^2 / (|L|^2 + |R|^2) - 1.
+  float correlation = 0;
+  bool solved = false;
 };
 
 /// The population of binocular energy neurons of one pixel: kOrientations x kPhaseShifts of them,
@@ -43,8 +46,8 @@ class Population {
   Constraints Decode(const SimpleCells& left, const SimpleCells& right,
                      float textureless_energy) const;
 
-  /// Intersection of constraints. Not valid where too few orientations count, where they leave one
-  /// direction open, or where they contradict each other.
+  /// Intersection of constraints. Not solved where too few orientations count, or where they leave
+  /// one direction open.
   PopulationDisparity Intersect(const Constraints& constraints) const;
 
  private:
@@ -62,8 +65,8 @@ class Population {
   std::array<float, kPhaseShifts> preferred_;  ///< disparity along the orientation [px]
   std::array<float, kPhaseShifts> cos_phase_;
   std::array<float, kPhaseShifts> sin_phase_;
-  PerOrientation nx_;
-  PerOrientation ny_;
+  PerOrientation nx_, ny_;  ///< directions of the orientations
+  PerOrientation nx_nx_, nx_ny_, ny_ny_;
 };
 
 }  // namespace horopter::vision

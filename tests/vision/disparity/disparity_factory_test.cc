@@ -121,8 +121,8 @@ TEST_P(Estimators, PlainOrTinyImagesGiveAnEmptyFieldNotAnError) {
   const cv::Mat1b plain(kSize, static_cast<unsigned char>(77));
   EXPECT_EQ(cv::countNonZero(Estimate(plain, plain).valid), 0);
   const SyntheticPair pair = ShiftedPair(kSize, 1, 0);
-  for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 5), cv::Size(2, 90), cv::Size(16, 16),
-                              cv::Size(19, 33)}) {
+  for (const cv::Size size :
+       {cv::Size(1, 1), cv::Size(3, 5), cv::Size(2, 90), cv::Size(16, 16), cv::Size(19, 33)}) {
     const cv::Rect part(cv::Point(0, 0), size);
     EXPECT_EQ(Estimate(pair.left(part), pair.right(part)).valid.size(), size);
   }
@@ -136,9 +136,8 @@ TEST_P(Estimators, MismatchedImagesThrow) {
 
 TEST(DisparityFactory, DefaultsToTheFirstPreset) {
   const SyntheticPair pair = ShiftedPair(kSize, 1.5, 0);
-  EXPECT_TRUE(SameBits(
-      CreateDisparityEstimator("v1")->Estimate(pair.left, pair.right),
-      CreateDisparityEstimator("v1", "checked")->Estimate(pair.left, pair.right)));
+  EXPECT_TRUE(SameBits(CreateDisparityEstimator("v1")->Estimate(pair.left, pair.right),
+                       CreateDisparityEstimator("v1", "checked")->Estimate(pair.left, pair.right)));
 }
 
 TEST(DisparityFactory, UnknownNamesListTheKnown) {

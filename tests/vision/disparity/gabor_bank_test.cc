@@ -34,8 +34,10 @@ Complex Direct(const cv::Mat1f& image, int x, int y, int orientation, const V1Co
     for (int u = -radius; u <= radius; ++u) {
       const double sigma = config.envelope_sigma_px;
       const double envelope = std::exp(-(u * u + v * v) / (2 * sigma * sigma));
-      const double phase = 2 * CV_PI * config.peak_frequency * (u * std::cos(theta) + v * std::sin(theta));
-      const double grey = image(std::clamp(y + v, 0, image.rows - 1), std::clamp(x + u, 0, image.cols - 1));
+      const double phase =
+          2 * CV_PI * config.peak_frequency * (u * std::cos(theta) + v * std::sin(theta));
+      const double grey =
+          image(std::clamp(y + v, 0, image.rows - 1), std::clamp(x + u, 0, image.cols - 1));
       sum += envelope * std::polar(1.0, -phase) * grey;
       wave_sum += envelope * std::polar(1.0, -phase);
       image_sum += envelope * grey;
@@ -52,7 +54,8 @@ TEST(GaborBank, SeparableFiltersEqualTheirFormula) {
   rng.fill(image, cv::RNG::UNIFORM, 0, 255);
   const SimpleCellMap cells = GaborBank(config).Apply(image);
   for (int i = 0; i < kOrientations; ++i) {
-    for (const cv::Point p : {cv::Point(15, 11), cv::Point(0, 0), cv::Point(30, 22), cv::Point(2, 20)}) {
+    for (const cv::Point p :
+         {cv::Point(15, 11), cv::Point(0, 0), cv::Point(30, 22), cv::Point(2, 20)}) {
       const Complex expected = Direct(image, p.x, p.y, i, config);
       EXPECT_LT(std::abs(Response(cells.row(p.y)[p.x], i) - expected), 1e-3)
           << "orientation " << i << " at " << p;
@@ -73,13 +76,14 @@ TEST(GaborBank, EachOrientationAnswersMostToItsOwnWaveWithHalfTheAmplitude) {
   const GaborBank bank(config);
   for (int wave = 0; wave < kOrientations; ++wave) {
     const double k = 2 * CV_PI * config.peak_frequency;
-    const SimpleCellMap cells = bank.Apply(Wave(
-        {41, 41}, k * std::cos(OrientationRad(wave)), k * std::sin(OrientationRad(wave))));
+    const SimpleCellMap cells = bank.Apply(
+        Wave({41, 41}, k * std::cos(OrientationRad(wave)), k * std::sin(OrientationRad(wave))));
     const double own = std::abs(Response(cells.row(20)[20], wave));
     EXPECT_NEAR(own, 25, 1) << "orientation " << wave;
     for (int i = 0; i < kOrientations; ++i) {
       if (i == wave) continue;
-      EXPECT_LT(std::abs(Response(cells.row(20)[20], i)), own) << "wave " << wave << " filter " << i;
+      EXPECT_LT(std::abs(Response(cells.row(20)[20], i)), own)
+          << "wave " << wave << " filter " << i;
     }
   }
 }

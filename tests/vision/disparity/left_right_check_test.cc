@@ -17,7 +17,7 @@ TEST(LeftRightCheck, KeepsWhatLeadsBackAndDropsWhatDoesNot) {
   const cv::Size size(20, 10);
   DisparityField field = Uniform(size, 3, -1);
   DisparityField back = Uniform(size, -3.5F, 1.5F);
-  back.dx(4, 8) = -5;   // misses left pixel (5, 5) by 2 px
+  back.dx(4, 8) = -5;     // misses left pixel (5, 5) by 2 px
   back.valid(6, 12) = 0;  // nothing is known where left pixel (9, 7) goes
   CheckLeftRight(back, 1, field);
   EXPECT_EQ(field.valid(5, 6), 255);

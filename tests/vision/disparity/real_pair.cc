@@ -103,7 +103,8 @@ FieldScore Score(const DisparityField& field, const cv::Mat1f& true_dx, const cv
       if (std::isnan(true_dx(y, x))) continue;
       ++known;
       if (field.valid(y, x) == 0) continue;
-      const double error = std::hypot(field.dx(y, x) - true_dx(y, x), field.dy(y, x) - true_dy(y, x));
+      const double error =
+          std::hypot(field.dx(y, x) - true_dx(y, x), field.dy(y, x) - true_dy(y, x));
       errors.push_back(error);
       if (!(error <= 2)) ++bad;
     }

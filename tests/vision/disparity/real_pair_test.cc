@@ -50,6 +50,7 @@ TEST_F(VergedMotorcycle, TruthSpansBothComponents) {
 TEST_F(VergedMotorcycle, OneDirectionIsNoWorseThanThePublishedModel) {
   V1Config config = V1Config::Preset("checked");
   config.left_right_px = 0;
+  config.min_correlation = -1;
   const FieldScore score = ScoreOf(config);
   EXPECT_GE(score.density, 0.90);
   EXPECT_LE(score.median_error_px, 0.43);

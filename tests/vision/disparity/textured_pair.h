@@ -90,8 +90,7 @@ inline WarpScore ScoreWarp(const DisparityField& field, const cv::Matx33d& H) {
       }
       ++possible;
       if (field.valid(y, x) == 0) continue;
-      errors.push_back(
-          std::hypot(x + field.dx(y, x) - true_x, y + field.dy(y, x) - true_y));
+      errors.push_back(std::hypot(x + field.dx(y, x) - true_x, y + field.dy(y, x) - true_y));
     }
   }
   WarpScore score;

@@ -25,6 +25,7 @@ TEST(V1Config, PaperPresetIsThePublishedModelAlone) {
   EXPECT_EQ(paper.iterations, 1);
   EXPECT_EQ(paper.pooling_sigma_px, 0);
   EXPECT_EQ(paper.scales, 6);
+  EXPECT_EQ(paper.min_correlation, -1);
   EXPECT_FALSE(paper.soft_threshold);
 }
 
@@ -51,14 +52,14 @@ TEST(V1Config, EveryBadFieldIsReportedAtOnce) {
   bad.min_orientation_response = -1;
   bad.min_orientations = 9;
   bad.min_conditioning = 1;
-  bad.max_residual_px = std::numeric_limits<double>::infinity();
   bad.pooling_sigma_px = -1;
   bad.scales = 0;
   bad.min_side_px = 0;
   bad.iterations = 0;
   bad.median_px = 4;
   bad.max_kept_octaves = -1;
-  bad.left_right_px = -1;
+  bad.min_correlation = 1;
+  bad.left_right_px = std::numeric_limits<double>::infinity();
   EXPECT_EQ(bad.Validate().size(), 19U);
   try {
     const V1EnergyEstimator estimator(bad);
@@ -66,7 +67,7 @@ TEST(V1Config, EveryBadFieldIsReportedAtOnce) {
   } catch (const hardware::ConfigError& error) {
     EXPECT_EQ(error.errors().size(), 19U);
     EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.filter_px = 10: must be odd, 3 to 63"));
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.left_right_px = -1"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.left_right_px = inf"));
   }
 }
 

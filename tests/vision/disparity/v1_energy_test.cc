@@ -17,7 +17,7 @@ using testing::SyntheticPair;
 using testing::WarpedPair;
 using testing::WarpScore;
 
-const cv::Size kSize(224, 168);
+const cv::Size kSize(192, 144);
 
 V1EnergyEstimator Preset(const char* name) { return V1EnergyEstimator(V1Config::Preset(name)); }
 
@@ -35,12 +35,13 @@ TEST_P(KnownShift, IsRecoveredToSubPixel) {
   const WarpScore checked =
       ScoreWarp(Preset("checked").Estimate(pair.left, pair.right), Shift(dx, dy));
   EXPECT_LT(checked.median_error_px, 0.05);
-  EXPECT_GT(checked.density, 0.9);
+  EXPECT_GT(checked.density, 0.85);
 
   const WarpScore paper =
       ScoreWarp(Preset("paper_2009").Estimate(pair.left, pair.right), Shift(dx, dy));
-  EXPECT_LT(paper.median_error_px, 0.1);
-  EXPECT_GT(paper.density, 0.9);
+  // The hard threshold moves the centre of mass in steps of the phase grid.
+  EXPECT_LT(paper.median_error_px, 0.12);
+  EXPECT_GT(paper.density, 0.85);
 }
 
 INSTANTIATE_TEST_SUITE_P(V1Energy, KnownShift,
@@ -89,15 +90,15 @@ TEST(V1Energy, ConfidenceIsLowerWhereTheEyesSeeDifferentThings) {
   const SyntheticPair pair = ShiftedPair(kSize, 3.2, 0);
   cv::Mat1b right = pair.right.clone();
   testing::SyntheticPair other = ShiftedPair(kSize, 0, 0, 77);
-  other.right.rowRange(84, 168).copyTo(right.rowRange(84, 168));
+  other.right.rowRange(72, 144).copyTo(right.rowRange(72, 144));
   V1Config config;
   config.left_right_px = 0;
-  config.max_residual_px = 0;
+  config.min_correlation = -1;
   const DisparityField field = V1EnergyEstimator(config).Estimate(pair.left, right);
-  const double same = cv::mean(field.confidence.rowRange(10, 74))[0];
-  const double different = cv::mean(field.confidence.rowRange(94, 158))[0];
-  EXPECT_GT(same, 0.85);
-  EXPECT_LT(different, same - 0.15);
+  const double same = cv::mean(field.confidence.rowRange(10, 62))[0];
+  const double different = cv::mean(field.confidence.rowRange(82, 134))[0];
+  EXPECT_GT(same, 0.8);
+  EXPECT_LT(different, 0.5 * same);
 }
 
 TEST(V1Energy, PlainImagesHaveNoValidPixel) {
@@ -109,11 +110,11 @@ TEST(V1Energy, PlainImagesHaveNoValidPixel) {
   }
 }
 
-/// Texture left of x = 112, a plain wall right of it, and both eyes' sensor noise.
+/// Texture left of x = 96, a plain wall right of it, and both eyes' sensor noise.
 SyntheticPair HalfPlain(double noise_grey) {
   SyntheticPair pair = ShiftedPair(kSize, -3.3, 0);
-  pair.left.colRange(112, kSize.width).setTo(120);
-  pair.right.colRange(109, kSize.width).setTo(120);
+  pair.left.colRange(96, kSize.width).setTo(120);
+  pair.right.colRange(93, kSize.width).setTo(120);
   cv::RNG rng(5);
   for (cv::Mat1b* image : {&pair.left, &pair.right}) {
     cv::Mat1f noise(kSize), noisy;
@@ -132,9 +133,9 @@ double ShareValid(const DisparityField& field, int from_column, int to_column) {
 TEST(V1Energy, InteriorOfAPlainHalfIsInvalid) {
   const SyntheticPair pair = HalfPlain(0);
   const DisparityField field = Preset("checked").Estimate(pair.left, pair.right);
-  EXPECT_GT(ShareValid(field, 8, 104), 0.9);
+  EXPECT_GT(ShareValid(field, 8, 88), 0.9);
   // An estimate is kept over two octaves: filters of 11 px there reach 5 * 4 px, plus pooling.
-  EXPECT_EQ(ShareValid(field, 112 + 36, kSize.width), 0);
+  EXPECT_EQ(ShareValid(field, 96 + 36, kSize.width), 0);
 }
 
 TEST(V1Energy, SensorNoiseOnAPlainWallIsNotTexture) {
@@ -143,8 +144,8 @@ TEST(V1Energy, SensorNoiseOnAPlainWallIsNotTexture) {
     V1Config config;
     config.noise_grey = noise;
     const DisparityField field = V1EnergyEstimator(config).Estimate(pair.left, pair.right);
-    EXPECT_GT(ShareValid(field, 8, 104), 0.9) << "noise " << noise;
-    EXPECT_LT(ShareValid(field, 112 + 36, kSize.width), 0.01) << "noise " << noise;
+    EXPECT_GT(ShareValid(field, 8, 88), 0.9) << "noise " << noise;
+    EXPECT_LT(ShareValid(field, 96 + 36, kSize.width), 0.01) << "noise " << noise;
   }
 }
 
@@ -163,7 +164,7 @@ TEST(V1Energy, LeftRightCheckRemovesHalfOccludedPixels) {
   EXPECT_LT(cv::countNonZero(checked.valid(occluded)),
             0.5 * cv::countNonZero(unchecked.valid(occluded)));
   EXPECT_NEAR(checked.dx(85, 125), -12, 0.2);
-  EXPECT_NEAR(checked.dx(85, 200), 0, 0.2);
+  EXPECT_NEAR(checked.dx(85, 30), 0, 0.2);
 }
 
 TEST(V1Energy, AnySizeIsAccepted) {

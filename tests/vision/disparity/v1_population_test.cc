@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <complex>
+#include <random>
 
 namespace horopter::vision {
 namespace {
@@ -44,7 +45,7 @@ TEST(Population, DecodesEveryDirectionWithinAStepOfThePhaseGrid) {
         const double dx = length * std::cos(direction * M_PI / 8);
         const double dy = length * std::sin(direction * M_PI / 8);
         const PopulationDisparity decoded = Decoded(config, Displaced(config, dx, dy));
-        ASSERT_TRUE(decoded.valid) << preset;
+        ASSERT_TRUE(decoded.solved) << preset;
         EXPECT_NEAR(std::hypot(decoded.dx - dx, decoded.dy - dy), 0, 0.15)
             << preset << ' ' << dx << ", " << dy;
       }
@@ -57,7 +58,7 @@ TEST(Population, PreferredDisparitiesAreDecodedExactly) {
   const PopulationDisparity still = Decoded(config, Displaced(config, 0, 0));
   EXPECT_NEAR(still.dx, 0, 1e-5);
   EXPECT_NEAR(still.dy, 0, 1e-5);
-  EXPECT_NEAR(still.confidence, 1, 1e-5);
+  EXPECT_NEAR(still.correlation, 1, 1e-5);
 }
 
 TEST(Population, ContrastOfOneEyeDoesNotMoveTheDisparity) {
@@ -85,53 +86,61 @@ TEST(Population, EnergyBelowTheNoiseHasNoConstraints) {
 }
 
 TEST(Population, OneDirectionAloneIsAnApertureProblem) {
-  V1Config config;
-  const Population population(config);
-  Constraints c;
+  const Population population{V1Config()};
   const float d = 0.4F;  // along x, seen by three cells that all measure along x
+  Constraints c;
   c.nx_nx = 3;
   c.nx_d = 3 * d;
-  c.d_d = 3 * d * d;
-  c.weight = 3;
   c.count = 3;
-  EXPECT_FALSE(population.Intersect(c).valid);
+  c.power = 1;
+  EXPECT_FALSE(population.Intersect(c).solved);
   c.ny_ny = 3;  // and by three that measure along y
-  c.weight = 6;
-  c.d_d = 3 * d * d;
-  const PopulationDisparity solved = population.Intersect(c);
-  EXPECT_TRUE(solved.valid);
-  EXPECT_NEAR(solved.dx, d, 1e-6);
-  EXPECT_NEAR(solved.dy, 0, 1e-6);
+  const PopulationDisparity solution = population.Intersect(c);
+  EXPECT_TRUE(solution.solved);
+  EXPECT_NEAR(solution.dx, d, 1e-6);
+  EXPECT_NEAR(solution.dy, 0, 1e-6);
 }
 
-TEST(Population, FewerOrientationsThanAskedForAreInvalid) {
+TEST(Population, FewerOrientationsThanAskedForAreNotSolved) {
   V1Config config;
   config.min_orientation_response = 0.5;
   config.energy_weights = false;
   Eyes eyes = Displaced(config, 0.5, 0);
-  for (int i = 2; i < kOrientations; ++i) {  // two orientations see something
+  for (int i = 0; i < kOrientations; ++i) {
+    if (i == 0 || i == kOrientations / 2) continue;  // these two alone see something
     eyes.left.even[i] = eyes.left.odd[i] = eyes.right.even[i] = eyes.right.odd[i] = 0.01F;
   }
-  EXPECT_FALSE(Decoded(config, eyes).valid);
+  EXPECT_FALSE(Decoded(config, eyes).solved);
   config.min_orientations = 2;
-  EXPECT_TRUE(Decoded(config, eyes).valid);
+  EXPECT_TRUE(Decoded(config, eyes).solved);
 }
 
-TEST(Population, ContradictingOrientationsAreNoMatch) {
-  V1Config config;
+TEST(Population, CorrelationIsOneForEqualEyesAndMinusOneForInvertedOnes) {
+  const V1Config config;
   Eyes eyes = Displaced(config, 0, 0);
-  for (int i = 0; i < kOrientations; i += 2) {  // every second one says +1, its neighbour -1
-    const double phase = 2 * M_PI * config.peak_frequency;
-    for (const int k : {i, i + 1}) {
-      const std::complex<double> left(eyes.left.even[k], eyes.left.odd[k]);
-      const std::complex<double> right = left * std::polar(1.0, k == i ? phase : -phase);
-      eyes.right.even[k] = static_cast<float>(right.real());
-      eyes.right.odd[k] = static_cast<float>(right.imag());
-    }
+  EXPECT_NEAR(Decoded(config, eyes).correlation, 1, 1e-5);
+  for (int i = 0; i < kOrientations; ++i) {
+    eyes.right.even[i] = -eyes.right.even[i];
+    eyes.right.odd[i] = -eyes.right.odd[i];
   }
-  EXPECT_FALSE(Decoded(config, eyes).valid);
-  config.max_residual_px = 0;
-  EXPECT_TRUE(Decoded(config, eyes).valid);
+  EXPECT_NEAR(Decoded(config, eyes).correlation, -1, 1e-5);
+}
+
+TEST(Population, CorrelationOfUnrelatedEyesIsZeroOnAverage) {
+  const V1Config config;
+  std::mt19937 random(4);
+  std::normal_distribution<float> grey(0, 20);
+  double sum = 0;
+  const int trials = 2000;
+  for (int trial = 0; trial < trials; ++trial) {
+    Eyes eyes;
+    for (SimpleCells* cells : {&eyes.left, &eyes.right}) {
+      for (float& v : cells->even) v = grey(random);
+      for (float& v : cells->odd) v = grey(random);
+    }
+    sum += Decoded(config, eyes).correlation;
+  }
+  EXPECT_NEAR(sum / trials, 0, 0.02);
 }
 
 }  // namespace
