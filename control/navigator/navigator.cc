@@ -41,7 +41,7 @@ std::string Name(const Obstacle& obstacle) {
 }
 
 void CheckView(const SceneView& view, const std::optional<Time>& last) {
-  if (view.regions.labels.size() != view.obstacles_B.size()) {
+  if (view.regions.labels.size() != view.size() || view.floor_B.size() != view.size()) {
     throw std::invalid_argument("navigator: the view's labels and points differ in size");
   }
   if (last && view.t_capture < *last) {
@@ -92,7 +92,7 @@ void Navigator::SetGoal(const Eigen::Vector2d& p_OG) {
 void Navigator::OnView(const SceneView& view, const Pose2& X_OB) {
   CheckView(view, last_view_);
   last_view_ = view.t_capture;
-  memory_.Add(view.t_capture, view.obstacles_B, X_OB);
+  memory_.Add(view, X_OB);
   if (!p_OG_ || end_) return;
 
   const StripMeasurements seen = LookAhead(view, X_OB);

@@ -78,42 +78,55 @@ ObstacleMemory::Cell ObstacleMemory::CellOf(double x_O, double y_O) const {
           static_cast<std::int32_t>(std::floor(y_O / config_.cell_m))};
 }
 
-void ObstacleMemory::Add(Time t, const cv::Mat3f& obstacles_B, const Pose2& X_OB) {
-  MarkSeen(t, obstacles_B, X_OB);
-  ClearSeenPast(t, obstacles_B, X_OB);
+void ObstacleMemory::Add(const SceneView& view, const Pose2& X_OB) {
+  UpdateSeen(view, X_OB);
+  ClearSeenPast(view, X_OB);
   const hardware::Duration keep = hardware::FromSeconds(config_.keep_s);
-  std::erase_if(cells_, [&](const auto& cell) { return t - cell.second > keep; });
+  std::erase_if(cells_, [&](const auto& cell) { return view.t_capture - cell.second > keep; });
 }
 
-void ObstacleMemory::MarkSeen(Time t, const cv::Mat3f& obstacles_B, const Pose2& X_OB) {
-  // Pixels are counted in a dense window round the robot.
+ObstacleMemory::Window ObstacleMemory::CountPixels(const cv::Mat3f& points_B,
+                                                   const Pose2& X_OB) const {
   const int reach = static_cast<int>(std::ceil(config_.max_range_m / config_.cell_m)) + 1;
-  const int side = 2 * reach + 1;
   const Cell centre = CellOf(X_OB.x_m, X_OB.y_m);
-  std::vector<int> pixels(static_cast<std::size_t>(side) * side, 0);
+  Window window{{centre.first - reach, centre.second - reach}, 2 * reach + 1, {}};
+  window.pixels.assign(static_cast<std::size_t>(window.side) * window.side, 0);
   const double c = std::cos(X_OB.heading_rad), s = std::sin(X_OB.heading_rad);
   const double max_range2 = config_.max_range_m * config_.max_range_m;
-  for (int v = 0; v < obstacles_B.rows; ++v) {
-    for (int u = 0; u < obstacles_B.cols; ++u) {
-      const double x = obstacles_B(v, u)[0], y = obstacles_B(v, u)[1];
+  for (int v = 0; v < points_B.rows; ++v) {
+    for (int u = 0; u < points_B.cols; ++u) {
+      const double x = points_B(v, u)[0], y = points_B(v, u)[1];
       if (!(x * x + y * y <= max_range2)) continue;  // NaN too
       const Cell cell = CellOf(X_OB.x_m + c * x - s * y, X_OB.y_m + s * x + c * y);
-      ++pixels[(cell.first - centre.first + reach) * side + cell.second - centre.second + reach];
+      ++window.pixels[(cell.first - window.corner.first) * window.side + cell.second -
+                      window.corner.second];
     }
   }
-  for (int i = 0; i < side; ++i) {
-    for (int j = 0; j < side; ++j) {
-      if (pixels[i * side + j] < config_.min_pixels) continue;
-      cells_[{centre.first + i - reach, centre.second + j - reach}] = t;
+  return window;
+}
+
+void ObstacleMemory::UpdateSeen(const SceneView& view, const Pose2& X_OB) {
+  const Window standing = CountPixels(view.obstacles_B, X_OB);
+  const Window floor = CountPixels(view.floor_B, X_OB);
+  for (int i = 0; i < standing.side; ++i) {
+    for (int j = 0; j < standing.side; ++j) {
+      const int obstacle_px = standing.pixels[i * standing.side + j];
+      const int floor_px = floor.pixels[i * standing.side + j];
+      const Cell cell{standing.corner.first + i, standing.corner.second + j};
+      if (obstacle_px >= config_.min_pixels && 2 * obstacle_px >= floor_px) {
+        cells_[cell] = view.t_capture;
+      } else if (floor_px >= config_.min_pixels) {
+        cells_.erase(cell);
+      }
     }
   }
 }
 
-void ObstacleMemory::ClearSeenPast(Time t, const cv::Mat3f& obstacles_B, const Pose2& X_OB) {
-  const Panorama panorama(obstacles_B);
+void ObstacleMemory::ClearSeenPast(const SceneView& view, const Pose2& X_OB) {
+  const Panorama panorama(view.obstacles_B);
   const double margin = 3 * config_.cell_m;
   std::erase_if(cells_, [&](const auto& cell) {
-    if (cell.second == t) return false;
+    if (cell.second == view.t_capture) return false;
     const Eigen::Vector2d p_B = InBase(X_OB, (cell.first.first + 0.5) * config_.cell_m,
                                        (cell.first.second + 0.5) * config_.cell_m);
     const double range = p_B.norm();

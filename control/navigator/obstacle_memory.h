@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "control/navigator/scene_view.h"
 #include "hardware/types/config_error.h"
 #include "hardware/types/pose.h"
 #include "hardware/types/time.h"
@@ -29,16 +30,18 @@ struct ObstacleMemoryConfig {
 
 /// Cells of the ground in which obstacle points have been seen lately, in the odometry frame.
 ///
-/// A cell that a later view looks past (everything it sees in that direction is clearly further
-/// away) is cleared, so that a passing mismatch does not stay. Ordered containers throughout: the
+/// In one view, a cell with `min_pixels` obstacle pixels, and at least half as many as it has floor
+/// pixels, is occupied; one with as many floor pixels and no such obstacle is free. A cell that a
+/// later view looks past (everything that stands in that direction is clearly further away) is
+/// cleared too, so that a passing mismatch does not stay. Ordered containers throughout: the
 /// same views give the same cells.
 class ObstacleMemory {
  public:
   /// @throws hardware::ConfigError
   explicit ObstacleMemory(const ObstacleMemoryConfig& config);
 
-  /// @param obstacles_B points that could be hit, in the base at t; NaN where there is none
-  void Add(hardware::Time t, const cv::Mat3f& obstacles_B, const hardware::Pose2& X_OB);
+  /// @param X_OB where the base was when the view was taken
+  void Add(const SceneView& view, const hardware::Pose2& X_OB);
 
   /// Centres of the remembered cells, in the base frame at pose `X_OB` [m].
   std::vector<Eigen::Vector2d> PointsInBase(const hardware::Pose2& X_OB) const;
@@ -49,8 +52,15 @@ class ObstacleMemory {
   using Cell = std::pair<std::int32_t, std::int32_t>;
 
   Cell CellOf(double x_O, double y_O) const;
-  void MarkSeen(hardware::Time t, const cv::Mat3f& obstacles_B, const hardware::Pose2& X_OB);
-  void ClearSeenPast(hardware::Time t, const cv::Mat3f& obstacles_B, const hardware::Pose2& X_OB);
+  /// Pixels of each cell of a square window round the robot.
+  struct Window {
+    Cell corner;
+    int side = 0;
+    std::vector<int> pixels;  ///< [i * side + j] is cell (corner.first + i, corner.second + j)
+  };
+  Window CountPixels(const cv::Mat3f& points_B, const hardware::Pose2& X_OB) const;
+  void UpdateSeen(const SceneView& view, const hardware::Pose2& X_OB);
+  void ClearSeenPast(const SceneView& view, const hardware::Pose2& X_OB);
 
   ObstacleMemoryConfig config_;
   std::map<Cell, hardware::Time> cells_;  ///< when each was last seen

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/navigator/obstacle_points.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
@@ -8,38 +9,89 @@
 
 namespace horopter::control {
 
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// Range on the ground of every point that is in front, within range and residual; NaN elsewhere.
+cv::Mat1f UsableRanges(const vision::PointField& points_B, const ObstacleConfig& config) {
+  cv::Mat1f ranges(points_B.points.size(), kNan);
+  for (int v = 0; v < ranges.rows; ++v) {
+    for (int u = 0; u < ranges.cols; ++u) {
+      const cv::Vec3f& p = points_B.points(v, u);
+      const double range = std::sqrt(static_cast<double>(p[0]) * p[0] + p[1] * p[1]);
+      // NaN fails every comparison.
+      if (p[0] > 0 && range >= config.min_range_m && range <= config.max_range_m &&
+          points_B.residual_m(v, u) <= config.max_residual_m) {
+        ranges(v, u) = static_cast<float>(range);
+      }
+    }
+  }
+  return ranges;
+}
+
+/// Whether enough of the pixels around (v, u) are about as far.
+bool IsSupported(const cv::Mat1f& ranges, int v, int u, const ObstacleConfig& config) {
+  int missing = config.support_px;
+  const float range = ranges(v, u);
+  const float tolerance = static_cast<float>(config.support_tolerance) * range;
+  for (int y = std::max(v - 2, 0); y <= std::min(v + 2, ranges.rows - 1) && missing > 0; ++y) {
+    for (int x = std::max(u - 2, 0); x <= std::min(u + 2, ranges.cols - 1); ++x) {
+      if (std::abs(ranges(y, x) - range) <= tolerance && (y != v || x != u)) --missing;
+    }
+  }
+  return missing <= 0;
+}
+
+cv::Mat3f Select(const vision::PointField& points_B, const ObstacleConfig& config, double min_z,
+                 double max_z) {
+  const cv::Mat1f ranges = UsableRanges(points_B, config);
+  cv::Mat3f kept(ranges.size(), cv::Vec3f::all(kNan));
+  cv::parallel_for_(cv::Range(0, kept.rows), [&](const cv::Range& rows) {
+    for (int v = rows.start; v < rows.end; ++v) {
+      for (int u = 0; u < kept.cols; ++u) {
+        const cv::Vec3f& p = points_B.points(v, u);
+        if (!std::isnan(ranges(v, u)) && p[2] >= min_z && p[2] <= max_z &&
+            IsSupported(ranges, v, u, config)) {
+          kept(v, u) = p;
+        }
+      }
+    }
+  });
+  return kept;
+}
+
+}  // namespace
+
 std::vector<hardware::FieldError> ObstacleConfig::Validate() const {
   std::vector<hardware::FieldError> errors;
   const auto require = [&errors](bool good, const char* field, double value, const char* rule) {
     if (!good) errors.push_back({field, std::to_string(value), rule});
   };
   require(std::isfinite(floor_m), "obstacle.floor_m", floor_m, "must be finite");
+  require(pit_m < floor_m, "obstacle.pit_m", pit_m, "must be below floor_m");
   require(robot_height_m > floor_m, "obstacle.robot_height_m", robot_height_m,
           "must be above floor_m");
   require(min_range_m >= 0, "obstacle.min_range_m", min_range_m, "must not be negative");
   require(max_range_m > min_range_m, "obstacle.max_range_m", max_range_m,
           "must be above min_range_m");
   require(max_residual_m > 0, "obstacle.max_residual_m", max_residual_m, "must be positive");
+  require(support_px >= 0 && support_px <= 24, "obstacle.support_px", support_px,
+          "must be between 0 and 24");
+  require(support_tolerance > 0, "obstacle.support_tolerance", support_tolerance,
+          "must be positive");
   return errors;
 }
 
 cv::Mat3f ObstaclePoints(const vision::PointField& points_B, const ObstacleConfig& config) {
   hardware::ThrowIfAny(config.Validate());
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  cv::Mat3f kept(points_B.points.size(), cv::Vec3f::all(kNan));
-  for (int v = 0; v < kept.rows; ++v) {
-    for (int u = 0; u < kept.cols; ++u) {
-      const cv::Vec3f& p = points_B.points(v, u);
-      const double range = std::hypot(p[0], p[1]);
-      // NaN fails every comparison.
-      if (p[0] > 0 && p[2] >= config.floor_m && p[2] <= config.robot_height_m &&
-          range >= config.min_range_m && range <= config.max_range_m &&
-          points_B.residual_m(v, u) <= config.max_residual_m) {
-        kept(v, u) = p;
-      }
-    }
-  }
-  return kept;
+  return Select(points_B, config, config.floor_m, config.robot_height_m);
+}
+
+cv::Mat3f FloorPoints(const vision::PointField& points_B, const ObstacleConfig& config) {
+  hardware::ThrowIfAny(config.Validate());
+  const double below_floor = std::nextafter(config.floor_m, config.pit_m);
+  return Select(points_B, config, config.pit_m, below_floor);
 }
 
 cv::Mat1f ObstacleDepth(const vision::PointField& points_B, const ObstacleConfig& config) {

@@ -12,20 +12,29 @@ namespace horopter::control {
 /// Which reconstructed points could be hit. Lengths in metres, in the base frame B (origin on the
 /// floor below the robot's centre; x forward, y left, z up).
 struct ObstacleConfig {
-  double floor_m = 0.03;         ///< points below are floor
-  double robot_height_m = 0.45;  ///< points above pass over the head
-  double min_range_m = 0.10;     ///< nearer points would be inside the robot: mismatches
-  double max_range_m = 3.0;      ///< further ones are too uncertain to decide by
-  double max_residual_m = 0.02;  ///< rays that pass each other further apart are mismatches
+  double floor_m = 0.03;            ///< points below are floor
+  double pit_m = -0.15;             ///< points below this are mismatches
+  double robot_height_m = 0.45;     ///< points above pass over the head
+  double min_range_m = 0.10;        ///< nearer points would be inside the robot: mismatches
+  double max_range_m = 3.0;         ///< further ones are too uncertain to decide by
+  double max_residual_m = 0.02;     ///< rays that pass each other further apart are mismatches
+  int support_px = 5;               ///< points of the 5x5 pixels around that must be about as far;
+                                    ///< 0: lone points count too
+  double support_tolerance = 0.10;  ///< "about as far": relative difference of range
 
   std::vector<hardware::FieldError> Validate() const;
 };
 
 /// The points that could be hit: finite, in front (x > 0), between floor and robot height, within
-/// range (of the point's distance on the plane) and residual; NaN elsewhere.
+/// range (of the point's distance on the plane) and residual, and supported by their neighbours;
+/// NaN elsewhere.
 /// @param points_B points in B
 /// @throws hardware::ConfigError
 cv::Mat3f ObstaclePoints(const vision::PointField& points_B, const ObstacleConfig& config);
+
+/// The points of the floor, with the same conditions but for the height; NaN elsewhere. Where
+/// floor is seen nothing stands.
+cv::Mat3f FloorPoints(const vision::PointField& points_B, const ObstacleConfig& config);
 
 /// Their forward distance x_B [m]; NaN elsewhere. This is the depth that
 /// vision::ExtractRegions measures for navigation.

@@ -11,12 +11,15 @@
 namespace horopter::control {
 
 /// What the navigator gets from one stereo frame: regions of the left image and, for each of its
-/// pixels, the point that could be hit there. Both maps have the left image's size.
+/// pixels, the point that could be hit there, or the point of the floor. All maps have the left
+/// image's size.
 struct SceneView {
   hardware::Time t_capture{};
   vision::RegionMap regions;
   cv::Mat3f obstacles_B;  ///< ObstaclePoints(): (x, y, z) in the base at t_capture [m]; NaN: free,
                           ///< floor or unknown
+
+  cv::Mat3f floor_B;  ///< FloorPoints(): likewise; NaN: no floor seen
 
   cv::Size size() const { return obstacles_B.size(); }
 };

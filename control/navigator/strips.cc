@@ -12,6 +12,15 @@ namespace {
 
 constexpr Strip kStrips[] = {Strip::kLeft, Strip::kCentre, Strip::kRight};
 
+/// The floor is no obstacle at any distance, but it counts among a region's pixels.
+constexpr float kFloor = std::numeric_limits<float>::infinity();
+
+/// A region's pixels in one area.
+struct PixelsInArea {
+  std::vector<float> distances;
+  int standing = 0;  ///< those that are not floor
+};
+
 struct Place {
   Strip strip;
   double distance_m;
@@ -80,31 +89,33 @@ StripMeasurements MeasureStrips(const SceneView& view, ObstacleTest test, double
   const Corridor corridor(bearing_rad, config.corridor_half_width_m);
   const int width = view.obstacles_B.cols;
   const auto locate = [&](int u, const cv::Vec3f& p) -> std::optional<Place> {
+    if (std::isnan(p[0])) return std::nullopt;
     if (test == ObstacleTest::kCorridor) return corridor.Locate(p[0], p[1]);
     return Place{StripOfColumn(u, width, config.central_fraction), p[0]};
   };
 
-  // Distances of every region in every area.
-  std::vector<std::array<std::vector<float>, 3>> distances(view.regions.regions.size() + 1);
+  std::vector<std::array<PixelsInArea, 3>> areas(view.regions.regions.size() + 1);
   for (int v = 0; v < view.obstacles_B.rows; ++v) {
     for (int u = 0; u < width; ++u) {
-      const cv::Vec3f& p = view.obstacles_B(v, u);
       const int label = view.regions.labels(v, u);
-      if (std::isnan(p[0]) || (label == 0 && !config.edges_count)) continue;
-      const auto place = locate(u, p);
+      if (label == 0 && !config.edges_count) continue;
+      const bool stands = !std::isnan(view.obstacles_B(v, u)[0]);
+      const auto place = locate(u, stands ? view.obstacles_B(v, u) : view.floor_B(v, u));
       if (!place) continue;
-      distances[label][static_cast<int>(place->strip)].push_back(
-          static_cast<float>(place->distance_m));
+      PixelsInArea& area = areas[label][static_cast<int>(place->strip)];
+      if (stands) ++area.standing;
+      area.distances.push_back(stands ? static_cast<float>(place->distance_m) : kFloor);
     }
   }
 
   StripMeasurements measured;
-  for (std::size_t label = 0; label < distances.size(); ++label) {
+  for (std::size_t label = 0; label < areas.size(); ++label) {
     for (const Strip strip : kStrips) {
-      std::vector<float>& values = distances[label][static_cast<int>(strip)];
-      if (static_cast<int>(values.size()) < config.min_pixels) continue;
-      const vision::DepthStatistics s = vision::Summarise(values, config.near_fraction);
-      KeepNearer(measured[strip], {static_cast<int>(label), s.count, s.near_m});
+      PixelsInArea& area = areas[label][static_cast<int>(strip)];
+      if (area.standing < config.min_pixels) continue;
+      const double near = vision::Summarise(area.distances, config.near_fraction).near_m;
+      if (std::isinf(near)) continue;
+      KeepNearer(measured[strip], {static_cast<int>(label), area.standing, near});
     }
   }
   return measured;

@@ -24,8 +24,8 @@ struct StripConfig {
   double central_fraction = 0.40;       ///< kCentralImage: of the image width
   double corridor_half_width_m = 0.28;  ///< kCorridor: half the robot's diagonal and a margin
   int min_pixels = 25;                  ///< a region with fewer in an area does not count there
-  double near_fraction = 0.05;          ///< of a region's distances in an area may be nearer than
-                                        ///< its near_m, so that a few wrong pixels do not make it
+  double near_fraction = 0.05;          ///< of a region's pixels in an area may be nearer than
+                                        ///< its near_m, so that a few wrong ones do not make it
   bool edges_count = true;              ///< edge pixels (label 0) form a region of their own: a
                                         ///< thin or richly textured thing may have no other
 
@@ -37,7 +37,7 @@ struct Obstacle {
   static constexpr int kRemembered = -1;
 
   int label = 0;  ///< of the region; 0: edge pixels; kRemembered: cells of the ObstacleMemory
-  int count = 0;  ///< pixels with a distance in this area (remembered: cells)
+  int count = 0;  ///< its pixels that stand in this area (remembered: cells)
   double near_m = std::numeric_limits<double>::infinity();  ///< distance, see MeasureStrips()
 };
 
@@ -53,7 +53,9 @@ struct StripMeasurements {
 };
 
 /// Statistics of every region in every area, reduced to the nearest of each. One region may span
-/// all three (regions merge): only its pixels inside an area count there.
+/// all three (regions merge): only its pixels inside an area count there. Floor pixels count as
+/// infinitely far, so that a region is near only when `near_fraction` of what is seen of it in the
+/// area is: a few mismatches on the floor are no obstacle.
 ///
 /// kCentralImage: areas are columns of the image; distance is x_B. kCorridor: the corridor of half
 /// width `corridor_half_width_m` runs from the base's origin along `bearing_rad` (positive to the
