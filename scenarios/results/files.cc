@@ -48,9 +48,11 @@ class Temporary {
 
   int descriptor() const { return descriptor_; }
 
-  void RenameTo(const fs::path& file) {
+  void RenameTo(const fs::path& file, Durability durability) {
     // EINVAL: a file system that cannot flush; the content is then as safe as it gets.
-    if (::fsync(descriptor_) != 0 && errno != EINVAL) throw ResultsError(WriteFailure(file, errno));
+    if (durability == Durability::kPower && ::fsync(descriptor_) != 0 && errno != EINVAL) {
+      throw ResultsError(WriteFailure(file, errno));
+    }
     const int closed = ::close(std::exchange(descriptor_, -1));
     if (closed != 0) throw ResultsError(WriteFailure(file, errno));
     if (::rename(path_.c_str(), file.c_str()) != 0) throw ResultsError(WriteFailure(file, errno));
@@ -87,11 +89,11 @@ void WriteFully(int descriptor, std::string_view content, const fs::path& file) 
   }
 }
 
-void WriteFileAtomically(const fs::path& file, std::string_view content) {
+void WriteFileAtomically(const fs::path& file, std::string_view content, Durability durability) {
   // The process id keeps apart two processes that write the same suite.
   Temporary temporary(file.string() + fmt::format(".{}.tmp", ::getpid()));
   WriteFully(temporary.descriptor(), content, file);
-  temporary.RenameTo(file);
+  temporary.RenameTo(file, durability);
 }
 
 std::string ReadFile(const fs::path& file) {

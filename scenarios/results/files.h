@@ -10,10 +10,15 @@ namespace horopter::scenarios {
 /// Creates a folder and what is above it. @throws ResultsError
 void CreateFolder(const std::filesystem::path& folder);
 
+/// What a replaced file outlives: the death of the process, or also a loss of power, which takes a
+/// flush of the disk's caches (some 0.1 s under load).
+enum class Durability { kProcess, kPower };
+
 /// Replaces the file whole: a reader, or a crash, sees the old content or the new, never a part.
-/// Writes a temporary in the same folder, flushes it to the disk and renames it.
+/// Writes a temporary in the same folder and renames it.
 /// @throws ResultsError; the old content then stands and the temporary is gone
-void WriteFileAtomically(const std::filesystem::path& file, std::string_view content);
+void WriteFileAtomically(const std::filesystem::path& file, std::string_view content,
+                         Durability durability = Durability::kPower);
 
 /// @throws ResultsError
 std::string ReadFile(const std::filesystem::path& file);

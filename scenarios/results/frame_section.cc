@@ -35,7 +35,7 @@ std::string Legend(ColourMap map, const std::string& low, const std::string& mid
 
 std::string DepthLegend(const ColourScales& scales) {
   return Legend(ColourMap::kDepth, Quantity(scales.near_m, "m"),
-                Quantity(std::sqrt(scales.near_m * scales.far_m), "m"),
+                fmt::format("{:.2g} m", std::sqrt(scales.near_m * scales.far_m)),
                 Quantity(scales.far_m, "m"));
 }
 

@@ -309,7 +309,7 @@ std::vector<LegendEntry> LegendOf(const PlanRecord& plan, bool has_marks) {
   if (!TruePathOf(plan).empty()) entries.push_back({line("true"), "true path"});
   if (!plan.path.empty()) {
     entries.push_back({line("odometry"), "odometry"});
-    entries.push_back({"<path class=\"swept\" stroke-width=\"14\" d=\"M4 0H24\"/>", "swept width"});
+    entries.push_back({"<path class=\"swept\" stroke-width=\"14\" d=\"M9 0H19\"/>", "swept width"});
   }
   if (has_marks)
     entries.push_back({"<circle class=\"mark\" cx=\"14\" cy=\"0\" r=\"4\"/>", "frame shown"});
@@ -335,7 +335,7 @@ std::pair<std::string, double> Legend(const View& view, const PlanRecord& plan, 
   double y = kTop + view.height() + kBelowAxis + kLegendRow / 2;
   std::string svg;
   for (const LegendEntry& entry : LegendOf(plan, has_marks)) {
-    const double width = 28 + 6 + 6.6 * static_cast<double>(entry.text.size()) + 14;
+    const double width = 28 + 6 + 7.3 * static_cast<double>(entry.text.size()) + 16;
     if (x > kLeft && x + width > right + kRight) x = kLeft, y += kLegendRow;
     svg += fmt::format(
         "<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"34\" y=\"4\">{}</text>"

@@ -16,7 +16,7 @@ std::string_view ReportStyle() {
 --warn-bg:#fff;--skip-bg:#fff;--one:#0b62c4;--two:#b35900;--code:#fff}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--page);color:var(--ink);font:15px/1.5 system-ui,-apple-system,
-"Segoe UI",Roboto,"DejaVu Sans",sans-serif;overflow-wrap:anywhere}
+"Segoe UI",Roboto,"DejaVu Sans",sans-serif;overflow-wrap:break-word}
 main{max-width:1240px;margin:0 auto;padding:20px}
 h1{font-size:25px;line-height:1.25;margin:0;font-weight:650}
 h2{font-size:18px;margin:0 0 12px;font-weight:650}
@@ -38,10 +38,11 @@ margin:0 0 18px}
 .notice{border-left:5px solid currentColor;border-radius:6px;padding:10px 14px;margin:0 0 18px}
 .notice>*{color:var(--ink)}.notice p:last-child,.notice ul:last-child{margin-bottom:0}
 .notice ul{margin:4px 0 0;padding-left:20px}
-.columns{display:grid;gap:18px;grid-template-columns:minmax(0,3fr) minmax(0,2fr)}
-.columns>.card{margin:0}.halves{grid-template-columns:minmax(0,1fr) minmax(0,1fr)}
+.columns{display:grid;gap:18px;grid-template-columns:minmax(0,10fr) minmax(0,9fr)}
+.columns>.card,.columns>div>.card:last-child{margin-bottom:0}.halves{grid-template-columns:minmax(0,1fr) minmax(0,1fr)}
 .columns{margin:0 0 18px}
 svg{max-width:100%;height:auto;display:block}svg.plan{margin:0 auto;width:100%}
+.plan a.on .mark{r:7px;stroke-width:2.5}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{text-align:left;padding:6px 8px;border-bottom:1px solid var(--line);vertical-align:top}
 th{font-weight:600;color:var(--soft);font-size:13px;border-bottom-color:var(--soft)}
@@ -51,7 +52,7 @@ td small{color:var(--soft);display:block}.scroll{overflow-x:auto}
 .bar+.bar{background:var(--two);opacity:.55;margin-top:2px}
 .keys{display:grid;grid-template-columns:max-content minmax(0,1fr);gap:3px 18px;margin:0}
 .keys dt{color:var(--soft)}.keys dd{margin:0}
-code,pre{font-family:ui-monospace,"SF Mono","DejaVu Sans Mono",monospace;font-size:13px}
+code{overflow-wrap:anywhere}code,pre{font-family:ui-monospace,"SF Mono","DejaVu Sans Mono",monospace;font-size:13px}
 pre{background:var(--code);border:1px solid var(--line);border-radius:6px;padding:10px 12px;
 margin:0 0 12px;overflow-x:auto;white-space:pre-wrap}
 details summary{cursor:pointer;color:var(--soft);margin:8px 0}
@@ -75,6 +76,7 @@ border:1px solid var(--line);background:var(--code);color:var(--ink);cursor:poin
 .chart text{fill:var(--ink)}.chart .soft{fill:var(--soft)}.chart .title{font-size:14px;
 font-weight:600}
 .chart .grid{stroke:var(--line)}.chart .step{stroke:var(--soft);stroke-dasharray:2 3}
+.chart .limit-name{paint-order:stroke;stroke:var(--card);stroke-width:4px;stroke-linejoin:round}
 .chart .limit{stroke:var(--fail);stroke-dasharray:7 4}.chart .limit-name{fill:var(--fail)}
 .chart .line1,.chart .line2{fill:none;stroke:var(--one);stroke-width:2;stroke-linejoin:round}
 .chart .line2{stroke:var(--two);stroke-width:1.5}.chart .dot1{fill:var(--one)}
@@ -116,6 +118,9 @@ std::string_view FrameSliderScript() {
     const n = Math.max(0, Math.min(frames.length - 1, wanted));
     range.value = n;
     frames.forEach((f, i) => { f.hidden = i !== n; });
+    document.querySelectorAll('.plan a').forEach((a) => {
+      a.classList.toggle('on', a.getAttribute('href') === '#' + frames[n].id);
+    });
   };
   const fromLink = () => {
     const n = frames.findIndex((f) => '#' + f.id === location.hash);

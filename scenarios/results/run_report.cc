@@ -230,8 +230,8 @@ std::string RunReportHtml(const RunReport& report) {
   std::string body = Header(run) + Notice(run);
   body += "<div class=\"columns\">\n" + Where(report) + Expectations(run) + "</div>\n";
   body += FrameSection(report.pictures);
-  body += "<div class=\"columns\">\n" + OverTime(report) + Timing(run) + "</div>\n";
-  body += Repeat(report);
+  body += "<div class=\"columns\">\n" + OverTime(report) + "<div>\n" + Timing(run) +
+          Repeat(report) + "</div></div>\n";
   body += "<footer>" + Metrics(run) +
           "Beside this page: summary.json, junit.xml, frames.csv, trajectory.csv, plan.json, "
           "plan.svg, scenario.yaml and frames/.</footer>\n";

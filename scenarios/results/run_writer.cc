@@ -78,7 +78,7 @@ void RunWriter::AddFrame(const FrameRecord& frame, const FrameImages& images) {
     if (picture->empty()) continue;
     const fs::path file =
         folder_ / "frames" / fmt::format("{:04}_{}.png", frame.index, FileSuffix(kind));
-    WriteFileAtomically(file, PngBytes(*picture, file));
+    WriteFileAtomically(file, PngBytes(*picture, file), Durability::kProcess);
     pictured.pictures.push_back({kind, file});
   }
   if (!pictured.pictures.empty()) pictured_.push_back(std::move(pictured));

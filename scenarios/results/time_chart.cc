@@ -139,7 +139,7 @@ std::string Heading(const TimeChart& chart) {
     const std::string& name = chart.series[i].name;
     svg += fmt::format("<text x=\"{:.1f}\" y=\"15\" text-anchor=\"end\">{}</text>", x,
                        EscapeHtml(name));
-    x -= 7.0 * static_cast<double>(name.size()) + 6;
+    x -= 7.4 * static_cast<double>(name.size()) + 8;
     svg += fmt::format("<path class=\"line{}\" d=\"M{:.1f} 11h22\"/>", i + 1, x - 22);
     x -= 40;
   }
