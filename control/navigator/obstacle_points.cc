@@ -43,24 +43,6 @@ bool IsSupported(const cv::Mat1f& ranges, int v, int u, const ObstacleConfig& co
   return missing <= 0;
 }
 
-cv::Mat3f Select(const vision::PointField& points_B, const ObstacleConfig& config, double min_z,
-                 double max_z) {
-  const cv::Mat1f ranges = UsableRanges(points_B, config);
-  cv::Mat3f kept(ranges.size(), cv::Vec3f::all(kNan));
-  cv::parallel_for_(cv::Range(0, kept.rows), [&](const cv::Range& rows) {
-    for (int v = rows.start; v < rows.end; ++v) {
-      for (int u = 0; u < kept.cols; ++u) {
-        const cv::Vec3f& p = points_B.points(v, u);
-        if (!std::isnan(ranges(v, u)) && p[2] >= min_z && p[2] <= max_z &&
-            IsSupported(ranges, v, u, config)) {
-          kept(v, u) = p;
-        }
-      }
-    }
-  });
-  return kept;
-}
-
 }  // namespace
 
 std::vector<hardware::FieldError> ObstacleConfig::Validate() const {
@@ -83,20 +65,27 @@ std::vector<hardware::FieldError> ObstacleConfig::Validate() const {
   return errors;
 }
 
-cv::Mat3f ObstaclePoints(const vision::PointField& points_B, const ObstacleConfig& config) {
+SplitPoints Split(const vision::PointField& points_B, const ObstacleConfig& config) {
   hardware::ThrowIfAny(config.Validate());
-  return Select(points_B, config, config.floor_m, config.robot_height_m);
-}
-
-cv::Mat3f FloorPoints(const vision::PointField& points_B, const ObstacleConfig& config) {
-  hardware::ThrowIfAny(config.Validate());
-  const double below_floor = std::nextafter(config.floor_m, config.pit_m);
-  return Select(points_B, config, config.pit_m, below_floor);
+  const cv::Mat1f ranges = UsableRanges(points_B, config);
+  SplitPoints split{cv::Mat3f(ranges.size(), cv::Vec3f::all(kNan)),
+                    cv::Mat3f(ranges.size(), cv::Vec3f::all(kNan))};
+  for (int v = 0; v < ranges.rows; ++v) {
+    for (int u = 0; u < ranges.cols; ++u) {
+      const cv::Vec3f& p = points_B.points(v, u);
+      if (std::isnan(ranges(v, u)) || p[2] < config.pit_m || p[2] > config.robot_height_m ||
+          !IsSupported(ranges, v, u, config)) {
+        continue;
+      }
+      (p[2] < config.floor_m ? split.floor : split.obstacles)(v, u) = p;
+    }
+  }
+  return split;
 }
 
 cv::Mat1f ObstacleDepth(const vision::PointField& points_B, const ObstacleConfig& config) {
   cv::Mat1f depth;
-  cv::extractChannel(ObstaclePoints(points_B, config), depth, 0);
+  cv::extractChannel(Split(points_B, config).obstacles, depth, 0);
   return depth;
 }
 

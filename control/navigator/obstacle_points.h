@@ -25,18 +25,19 @@ struct ObstacleConfig {
   std::vector<hardware::FieldError> Validate() const;
 };
 
-/// The points that could be hit: finite, in front (x > 0), between floor and robot height, within
-/// range (of the point's distance on the plane) and residual, and supported by their neighbours;
-/// NaN elsewhere.
+/// Reconstructed points by what they mean for a robot on the floor; NaN where a pixel has none.
+struct SplitPoints {
+  cv::Mat3f obstacles;  ///< could be hit: between floor and robot height
+  cv::Mat3f floor;      ///< below: where floor is seen nothing stands
+};
+
+/// Sorts out the points that are finite, in front (x > 0), within range (of the point's distance on
+/// the plane) and residual, and supported by their neighbours.
 /// @param points_B points in B
 /// @throws hardware::ConfigError
-cv::Mat3f ObstaclePoints(const vision::PointField& points_B, const ObstacleConfig& config);
+SplitPoints Split(const vision::PointField& points_B, const ObstacleConfig& config);
 
-/// The points of the floor, with the same conditions but for the height; NaN elsewhere. Where
-/// floor is seen nothing stands.
-cv::Mat3f FloorPoints(const vision::PointField& points_B, const ObstacleConfig& config);
-
-/// Their forward distance x_B [m]; NaN elsewhere. This is the depth that
+/// Forward distance x_B of the obstacles among them [m]; NaN elsewhere. This is the depth that
 /// vision::ExtractRegions measures for navigation.
 cv::Mat1f ObstacleDepth(const vision::PointField& points_B, const ObstacleConfig& config);
 

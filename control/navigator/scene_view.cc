@@ -15,8 +15,8 @@ SceneView MakeSceneView(hardware::Time t_capture, vision::RegionMap regions,
         std::to_string(regions.labels.rows) + ", points " + std::to_string(points_B.points.cols) +
         "x" + std::to_string(points_B.points.rows) + ": both must have the left image's size");
   }
-  return {t_capture, std::move(regions), ObstaclePoints(points_B, config),
-          FloorPoints(points_B, config)};
+  SplitPoints split = Split(points_B, config);
+  return {t_capture, std::move(regions), std::move(split.obstacles), std::move(split.floor)};
 }
 
 }  // namespace horopter::control

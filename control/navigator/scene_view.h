@@ -16,10 +16,10 @@ namespace horopter::control {
 struct SceneView {
   hardware::Time t_capture{};
   vision::RegionMap regions;
-  cv::Mat3f obstacles_B;  ///< ObstaclePoints(): (x, y, z) in the base at t_capture [m]; NaN: free,
+  cv::Mat3f obstacles_B;  ///< Split(): (x, y, z) in the base at t_capture [m]; NaN: free,
                           ///< floor or unknown
 
-  cv::Mat3f floor_B;  ///< FloorPoints(): likewise; NaN: no floor seen
+  cv::Mat3f floor_B;  ///< Split(): likewise; NaN: no floor seen
 
   cv::Size size() const { return obstacles_B.size(); }
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -53,7 +54,7 @@ class ToyWorld {
 
   /// What the camera sees when it is turned left of the robot's heading by `camera_pan_rad`.
   SceneView View(hardware::Time t, const hardware::Pose2& X_OB, double camera_pan_rad) const {
-    constexpr int kWidth = 120, kHeight = 90;
+    constexpr int kWidth = 100, kHeight = 75;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const double f = kWidth / 2.0 / std::tan(M_PI / 6);
     vision::RegionMap regions;
@@ -65,7 +66,8 @@ class ToyWorld {
     }
     vision::PointField points{cv::Mat3f(kHeight, kWidth, cv::Vec3f::all(nan)),
                               cv::Mat1f(kHeight, kWidth, 0.f)};
-    std::mt19937 generator(noise_.seed + static_cast<int>(t.time_since_epoch().count() % 999983));
+    std::mt19937 generator((noise_ ? noise_->seed : 0) +
+                           static_cast<int>(t.time_since_epoch().count() % 999983));
     for (int u = 0; u < kWidth; ++u) {
       const double bearing = camera_pan_rad - std::atan((u - (kWidth - 1) / 2.0) / f);
       const auto [range, label] = CastRay(X_OB, bearing);
@@ -89,11 +91,12 @@ class ToyWorld {
 
   /// A range as stereo would measure it; NaN: not at all.
   double Disturbed(double range, std::mt19937& generator) const {
+    if (!noise_) return range;
     std::uniform_real_distribution<double> uniform(0, 1), anywhere(0.15, 3);
     std::normal_distribution<double> normal(0, 1);
-    if (uniform(generator) < noise_.missing) return std::numeric_limits<double>::quiet_NaN();
-    if (uniform(generator) < noise_.mismatched) return anywhere(generator);
-    return range * (1 + noise_.relative_at_1m * range * normal(generator));
+    if (uniform(generator) < noise_->missing) return std::numeric_limits<double>::quiet_NaN();
+    if (uniform(generator) < noise_->mismatched) return anywhere(generator);
+    return range * (1 + noise_->relative_at_1m * range * normal(generator));
   }
 
   /// Nearest pillar along a bearing: its range on the ground and its label.
@@ -114,7 +117,7 @@ class ToyWorld {
   }
 
   std::vector<Pillar> pillars_;
-  ToyNoise noise_;
+  std::optional<ToyNoise> noise_;
 };
 
 }  // namespace horopter::control
