@@ -47,7 +47,7 @@ table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{text-align:left;padding:6px 8px;border-bottom:1px solid var(--line);vertical-align:top}
 th{font-weight:600;color:var(--soft);font-size:13px;border-bottom-color:var(--soft)}
 td.number,th.number{text-align:right;white-space:nowrap}tr:last-child td{border-bottom:0}
-td small{color:var(--soft);display:block}.scroll{overflow-x:auto}
+td .badge{white-space:normal}td small{color:var(--soft);display:block}.scroll{overflow-x:auto}
 .bar{height:9px;border-radius:2px;background:var(--one);min-width:1px}
 .bar+.bar{background:var(--two);opacity:.55;margin-top:2px}
 .keys{display:grid;grid-template-columns:max-content minmax(0,1fr);gap:3px 18px;margin:0}

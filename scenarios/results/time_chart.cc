@@ -132,7 +132,7 @@ std::string Line(const TimeSeries& series, int number, const std::string& unit,
 std::string Heading(const TimeChart& chart) {
   std::string svg =
       fmt::format("<text class=\"title\" x=\"0\" y=\"15\">{}{}</text>", EscapeHtml(chart.title),
-                  chart.unit.empty() ? "" : " [" + EscapeHtml(chart.unit) + "]");
+                  chart.unit.empty() ? "" : fmt::format(" [{}]", EscapeHtml(chart.unit)));
   if (chart.series.size() < 2) return svg;
   double x = kWidth - kRight;
   for (int i = static_cast<int>(chart.series.size()) - 1; i >= 0; --i) {
