@@ -78,9 +78,15 @@ Navigator::Navigator(const NavigatorConfig& config)
       controller_(config.controller),
       memory_(config.memory) {}
 
-void Navigator::SetGoal(const Eigen::Vector2d& p_OG) {
+void Navigator::SetGoal(const Eigen::Vector2d& p_OG, std::optional<double> tolerance_m) {
   if (!p_OG.allFinite()) throw std::invalid_argument("navigator: the goal is not finite");
+  const double tolerance = tolerance_m.value_or(config_.goal_tolerance_m);
+  if (!(tolerance >= config_.controller.arrival_m)) {
+    throw std::invalid_argument("navigator: the goal's tolerance of " + std::to_string(tolerance) +
+                                " m is less than the controller's arrival_m");
+  }
   p_OG_ = p_OG;
+  goal_tolerance_m_ = tolerance;
   waypoint_.reset();
   obstacle_.reset();
   side_.reset();
@@ -159,7 +165,7 @@ NavigatorDecision Navigator::Update(Time t, const Pose2& X_OB) {
     return decision;
   }
   decision.remaining_m = DistanceTo(X_OB, *p_OG_);
-  if (!end_ && decision.remaining_m <= config_.goal_tolerance_m) end_ = NavigatorState::kReached;
+  if (!end_ && decision.remaining_m <= goal_tolerance_m_) end_ = NavigatorState::kReached;
   if (!end_ && IsBlind(t)) {
     // Waiting for a view is not being stuck.
     progress_.reset();

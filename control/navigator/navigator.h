@@ -69,7 +69,7 @@ class Navigator {
 
   /// Drops the current goal and whatever avoidance was going on; what is remembered stays.
   /// @throws std::invalid_argument when the goal is not finite
-  void SetGoal(const Eigen::Vector2d& p_OG);
+  void SetGoal(const Eigen::Vector2d& p_OG, std::optional<double> tolerance_m = {});
 
   /// A view has been processed. May come late: `X_OB` is where odometry had the base when the
   /// images were taken.
@@ -102,6 +102,7 @@ class Navigator {
   WaypointController controller_;
   ObstacleMemory memory_;
   std::optional<Eigen::Vector2d> p_OG_;
+  double goal_tolerance_m_ = 0;
   std::optional<hardware::Pose2> waypoint_;
   std::optional<Obstacle> obstacle_;
   std::string avoiding_why_;

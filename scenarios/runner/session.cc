@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "control/base/wheel_speeds.h"
+#include "control/base/unicycle.h"
 #include "scenarios/results/frame_pictures.h"
 
 namespace horopter::scenarios {
@@ -44,7 +44,7 @@ control::NavigatorConfig NavigatorConfigOf(const NavigationSpec& spec) {
   config.obstacle_test = spec.obstacle_test == "central_image" ? control::ObstacleTest::kCentralImage
                                                                : control::ObstacleTest::kCorridor;
   config.obstacle_distance_m = spec.obstacle_limit_m;
-  config.controller.linear.max_output = spec.cruise_speed_m_s;
+  config.controller.linear.output_limit = spec.cruise_speed_m_s;
   return config;
 }
 
@@ -172,7 +172,7 @@ void Session::Deliver(StackState& state) {
 }
 
 void Session::Write(const StepOutput& output) {
-  Demand(backend_.base().Command(control::ToWheelSpeeds(output.twist, backend_.base().properties())),
+  Demand(backend_.base().Command(control::FromTwist(output.twist, backend_.base().properties())),
          "commanding the base");
   if (output.head) Demand(backend_.head().Command(*output.head), "commanding the head");
 }

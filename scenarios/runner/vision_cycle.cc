@@ -45,7 +45,8 @@ VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
 
   // What: surfaces bounded by colour edges, each with the depth of what could be hit on it.
   const cv::Mat1b interior = times.Measure("segmentation", [&] {
-    return vision::SegmentByColourEdges(frame.left.bgr, {spec_.median_px, spec_.edge_threshold});
+    return vision::FindColourEdges(
+        frame.left.bgr, {.median_px = spec_.median_px, .threshold = spec_.edge_threshold});
   });
   result.regions = times.Measure("regions", [&] {
     return vision::ExtractRegions(interior, frame.left.bgr,

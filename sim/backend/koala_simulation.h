@@ -21,7 +21,7 @@
 #include "sim/head/virtual_head.h"
 #include "sim/koala/koala_plant.h"
 #include "sim/render/renderer.h"
-#include "sim/variation/variation.h"
+#include "sim/variation/vary.h"
 #include "sim/world/world.h"
 
 namespace horopter::sim {

@@ -28,7 +28,7 @@ void Validate(const VariationConfig& config) {
     errors.push_back({field, fmt::format("{}", value), "must be finite and not negative"});
   };
   require("variation.obstacle_shift_m", config.obstacle_shift_m);
-  require("variation.heading_deg", config.heading_deg);
+  require("variation.heading_rad", config.heading_rad);
   hardware::ThrowIfAny(std::move(errors));
 }
 
@@ -109,9 +109,9 @@ Eigen::Vector2d ShiftObstacle(World& world, int body, double radius_m, std::uint
 }
 
 /// Turns the base about the vertical through its own origin.
-double TurnBase(World& world, int base, double most_deg, std::uint64_t seed) {
+double TurnBase(World& world, int base, double most_rad, std::uint64_t seed) {
   RandomStream random(seed, "variation.heading");
-  const double turn = random.Uniform(-1, 1) * most_deg * M_PI / 180;
+  const double turn = random.Uniform(-1, 1) * most_rad;
   const int joint = world.model().body_jntadr[base];
   mjtNum* quaternion = world.mutable_data().qpos + world.model().jnt_qposadr[joint] + 3;
   const mjtNum about_z[4] = {std::cos(turn / 2), 0, 0, std::sin(turn / 2)};
@@ -133,8 +133,8 @@ Variation Vary(World& world, const VariationConfig& config, std::uint64_t seed) 
     variation.obstacles.push_back(
         {name, ShiftObstacle(world, body, config.obstacle_shift_m, seed)});
   }
-  if (base && config.heading_deg > 0) {
-    variation.heading_rad = TurnBase(world, *base, config.heading_deg, seed);
+  if (base && config.heading_rad > 0) {
+    variation.heading_rad = TurnBase(world, *base, config.heading_rad, seed);
   }
   PaintTextures(world.mutable_model(), config.textures ? seed : 0);
   world.Forward();

@@ -92,7 +92,7 @@ TEST(Vary, SwitchingOneThingOffChangesNoOther) {
   const auto straight = World::FromXml(kScene);
   const Variation all = Vary(*full, {}, 5);
   const Variation no_shift = Vary(*still, {.obstacle_shift_m = 0}, 5);
-  const Variation no_turn = Vary(*straight, {.heading_deg = 0, .textures = false}, 5);
+  const Variation no_turn = Vary(*straight, {.heading_rad = 0, .textures = false}, 5);
   EXPECT_EQ(no_shift.heading_rad, all.heading_rad);
   EXPECT_TRUE(no_shift.obstacles.empty());
   EXPECT_EQ(no_turn.heading_rad, 0);
@@ -127,7 +127,7 @@ TEST(Vary, NeverPutsAnObstacleIntoSomethingElse) {
 
 TEST(Vary, ShippedRoomHasThreeObstaclesThatTouchNothing) {
   World world(std::string(HOROPTER_SOURCE_DIR) + "/scenes/koala/room.xml");
-  const VariationConfig only_obstacles{.heading_deg = 0, .textures = false};
+  const VariationConfig only_obstacles{.heading_rad = 0, .textures = false};
   const Variation variation = Vary(world, only_obstacles, 3);
   EXPECT_EQ(variation.obstacles.size(), 3U);
   world.Step();
@@ -139,7 +139,7 @@ TEST(Vary, ShippedRoomHasThreeObstaclesThatTouchNothing) {
 TEST(Vary, NamesEveryBadField) {
   const auto world = World::FromXml(kScene);
   try {
-    Vary(*world, {.obstacle_shift_m = -1, .heading_deg = std::numeric_limits<double>::quiet_NaN()},
+    Vary(*world, {.obstacle_shift_m = -1, .heading_rad = std::numeric_limits<double>::quiet_NaN()},
          1);
     FAIL() << "expected ConfigError";
   } catch (const hardware::ConfigError& error) {
