@@ -155,7 +155,10 @@ class MappingParser : public FieldVisitor {
     if (node == nullptr) return;
     if (node->items.empty()) Complain(*node, PathOf(list.spec.key), "at least one element");
     for (std::size_t i = 0; i < node->items.size(); ++i) {
-      ReadAlternative(node->items[i], PathOf(list.spec.key, i), list.at(i, node->items[i].mark));
+      const std::string path = PathOf(list.spec.key, i);
+      const std::size_t faults = report_.diagnostics.size();
+      ReadAlternative(node->items[i], path, list.at(i, node->items[i].mark));
+      if (report_.diagnostics.size() > faults) report_.broken.insert(path);
     }
   }
 

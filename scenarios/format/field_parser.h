@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ParseReport {
   std::vector<Diagnostic> diagnostics;
   /// Where each value stands, by its dotted path ("camera.width"); absent keys have none.
   std::map<std::string, SourceMark> marks;
+  /// Paths of the steps ("steps[2]") in which something was wrong.
+  std::set<std::string> broken;
 
   void Add(const SourceMark& mark, std::string message) {
     diagnostics.push_back({mark, std::move(message)});

@@ -10,7 +10,7 @@ using Json = nlohmann::json;
 
 // An integer where it is one, so that the schema reads as a person would write it.
 Json Plain(double value) {
-  if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
+  if (value == std::floor(value) && std::abs(value) < 1e16) return static_cast<std::int64_t>(value);
   return value;
 }
 

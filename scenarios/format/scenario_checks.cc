@@ -25,7 +25,7 @@ SourceMark MarkOf(const ParseReport& report, const std::string& path, const Sour
 }
 
 void CheckName(const Scenario& scenario, const SourceMark& root, ParseReport& report) {
-  static const std::regex valid("[A-Za-z0-9][A-Za-z0-9_.-]{0,79}");
+  static const std::regex valid("[A-Za-z0-9][A-Za-z0-9_. -]{0,79}");
   if (report.marks.count("name") == 0 && !std::regex_match(scenario.name, valid)) {
     report.Add(root,
                "the file's name gives no scenario name: add `name:` with letters, digits, "
@@ -59,6 +59,12 @@ std::optional<RobotDescription> FindRobot(const Scenario& scenario, const Source
     for (const Diagnostic& d : error.diagnostics()) report.diagnostics.push_back(d);
   }
   return std::nullopt;
+}
+
+void CheckMedian(const Scenario& scenario, const SourceMark& root, ParseReport& report) {
+  if (scenario.vision.median_px % 2 == 1) return;
+  report.Add(MarkOf(report, "vision.median_px", root),
+             fmt::format("vision.median_px = {}: must be odd", scenario.vision.median_px));
 }
 
 /// How far one axis after the other can turn an eye: neck and eye together [rad].
@@ -118,7 +124,9 @@ void CheckSteps(const Scenario& scenario, const std::optional<RobotDescription>&
                 ParseReport& report) {
   // Once the robot has driven, what is behind its start may be before it.
   bool at_start = true;
-  for (const Step& step : scenario.steps) {
+  for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
+    const Step& step = scenario.steps[i];
+    if (report.broken.count(fmt::format("steps[{}]", i)) > 0) continue;
     const auto* go = std::get_if<GotoStep>(&step.action);
     if (go != nullptr) at_start = false;
     if (go != nullptr && go->timeout_s > scenario.time_limit_s) {
@@ -168,15 +176,15 @@ void CheckExpectations(const Scenario& scenario, ParseReport& report) {
 void CheckScenario(const Scenario& scenario, const SourceMark& root,
                    const std::filesystem::path& scenes_dir, ParseReport& report) {
   CheckName(scenario, root, report);
+  CheckMedian(scenario, root, report);
   std::optional<RobotDescription> robot;
   if (!scenes_dir.empty()) {
     CheckScene(scenario, root, scenes_dir, report);
     robot = FindRobot(scenario, root, scenes_dir, report);
   }
-  // A list of which an element did not parse says nothing about what is missing in it.
-  const bool whole = report.diagnostics.empty();
   CheckSteps(scenario, robot, report);
-  if (whole) CheckExpectations(scenario, report);
+  // A list of which an element did not parse says nothing about what is missing in it.
+  if (report.broken.empty() && !scenario.steps.empty()) CheckExpectations(scenario, report);
 }
 
 }  // namespace horopter::scenarios

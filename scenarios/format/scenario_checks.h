@@ -9,7 +9,7 @@
 namespace horopter::scenarios {
 
 /// What no single field shows: that scene and robot exist, that the head can look at the targets,
-/// that an expectation has a step to judge.
+/// that the median filter has a middle, that an expectation has a step to judge.
 /// @param root place of the document, for what has none of its own
 /// @param scenes_dir empty: scene, robot and the robot's limits are passed over
 void CheckScenario(const Scenario& scenario, const SourceMark& root,

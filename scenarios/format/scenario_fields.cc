@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "scenarios/format/backends.h"
 #include "scenarios/format/expectation_parser.h"
 
 namespace horopter::scenarios {
@@ -17,11 +18,11 @@ constexpr Range kPlace{-kFarthest_m, kFarthest_m};
 constexpr Range kHold{0, kLongest_s};
 constexpr Range kPositiveTime{0, kLongest_s, true};
 
-const TextRule kName{
-    "[A-Za-z0-9][A-Za-z0-9_.-]*",
-    "letters, digits, '_', '-' and '.', beginning with a letter or digit: it names "
-    "a folder",
-    80};
+const TextRule kName{"[A-Za-z0-9][A-Za-z0-9_.-]*(?: [A-Za-z0-9_.-]+)*",
+                     "words of letters, digits, '_', '-' and '.', a space between them", 80};
+const TextRule kFolderName{"[A-Za-z0-9][A-Za-z0-9_.-]*",
+                           "letters, digits, '_', '-' and '.', beginning with a letter or digit",
+                           80};
 const TextRule kTag{"[a-z0-9][a-z0-9_-]*", "lower-case letters, digits, '-' and '_'", 40};
 const TextRule kScenePath{R"((?:[A-Za-z0-9_-][A-Za-z0-9_.-]*/)*[A-Za-z0-9_-][A-Za-z0-9_.-]*\.xml)",
                           "the path of an .xml file below the scenes folder, e.g. koala/room.xml",
@@ -180,7 +181,7 @@ NamedMap BodyMap(std::map<std::string, BodyPlacement>& bodies) {
 }  // namespace
 
 void Visit(FieldVisitor& v, Scenario& s) {
-  v.Text({"name", "", "Names the run's folder; the file's name without .yaml when left out."},
+  v.Text({"name", "", "Heads lists and reports; the file's name without .yaml when left out."},
          kName, s.name);
   v.Text({"description", "", "One sentence for lists and reports."}, {"", "", 500}, s.description);
   v.TextList({"tags", "", "What --tag selects by."}, kTag, s.tags);
@@ -189,9 +190,8 @@ void Visit(FieldVisitor& v, Scenario& s) {
   v.Text({"robot", "",
           "Robot that stands in the scene: a folder of the scenes folder with a "
           "robot.yaml."},
-         kName, s.robot);
-  v.Choice({"backend", "", "What the robot is made of."}, {"sim", "emulated", "hardware", "replay"},
-           s.backend);
+         kFolderName, s.robot);
+  v.Choice({"backend", "", "What the robot is made of."}, BackendNames(), s.backend);
   v.Integral({"seed", "", "Varies what a lab would vary; the command line may replace it."},
              {0, kLargestSeed}, s.seed);
   v.Number({"time_limit_s", "s", "Simulated time after which the run ends with what it has."},

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/cli/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "scenarios/results/statistics.h"
+
+namespace horopter::scenarios {
+namespace {
+
+constexpr int kPairsForSpread = 3;
+constexpr double kMadToSigma = 1.4826;      // of a normal distribution
+constexpr double kMedianStdError = 1.2533;  // sqrt(pi / 2)
+constexpr double kStdErrors = 3;
+constexpr double kFloorFew = 0.10;
+constexpr double kFloorMany = 0.01;
+constexpr double kTimingFloor = 0.25;
+constexpr double kTimingFloor_ms = 0.5;
+
+using RunKey = std::tuple<std::string, std::string, std::uint64_t>;  // scenario, backend, seed
+using RunPair = std::pair<const RunSummary*, const RunSummary*>;
+using GroupKey = std::pair<std::string, std::string>;  // scenario, backend
+
+std::string Title(const RunSummary& run) {
+  return fmt::format("{}, seed {}, {}", run.scenario, run.seed, run.backend);
+}
+
+std::map<RunKey, const RunSummary*> ByKey(const std::vector<RunSummary>& runs) {
+  std::map<RunKey, const RunSummary*> map;
+  for (const RunSummary& run : runs) map[{run.scenario, run.backend, run.seed}] = &run;
+  return map;
+}
+
+double SmallestStep(const Metric& metric) {
+  if (metric.unit == "m") return 1e-3;
+  if (metric.unit == "deg") return 0.01;
+  return metric.unit == "s" ? 0.05 : 1e-3;
+}
+
+double MedianOf(std::vector<double> sample) { return Median(std::move(sample)).value_or(0); }
+
+/// Three standard errors of the median, 0 where the spread cannot be known.
+double MedianNoise(const std::vector<double>& sample) {
+  if (sample.size() < kPairsForSpread) return 0;
+  const double centre = MedianOf(sample);
+  std::vector<double> deviations;
+  for (double value : sample) deviations.push_back(std::abs(value - centre));
+  const double sigma = kMadToSigma * MedianOf(std::move(deviations));
+  return kStdErrors * kMedianStdError * sigma / std::sqrt(static_cast<double>(sample.size()));
+}
+
+Verdict Judge(double worsening, double noise) {
+  if (worsening == 0) return Verdict::kSame;
+  if (std::abs(worsening) <= noise) return Verdict::kWithinNoise;
+  return worsening > 0 ? Verdict::kWorse : Verdict::kBetter;
+}
+
+void CompareOutcomes(const RunPair& pair, std::vector<OutcomeChange>& changes) {
+  const auto& [before, after] = pair;
+  if (before->outcome != after->outcome) {
+    const bool worse = before->outcome == Outcome::kPassed;
+    const bool better = after->outcome == Outcome::kPassed;
+    changes.push_back({Title(*after), "", ToString(before->outcome), ToString(after->outcome),
+                       worse    ? Verdict::kWorse
+                       : better ? Verdict::kBetter
+                                : Verdict::kSame});
+  }
+  for (const ExpectationResult& was : before->expectations) {
+    const auto is = std::find_if(after->expectations.begin(), after->expectations.end(),
+                                 [&was](const auto& e) { return e.name == was.name; });
+    if (is == after->expectations.end() || is->outcome == was.outcome) continue;
+    const bool worse = was.outcome == ExpectationOutcome::kPassed;
+    const bool better = is->outcome == ExpectationOutcome::kPassed;
+    changes.push_back({Title(*after), was.name, ToString(was.outcome), ToString(is->outcome),
+                       worse    ? Verdict::kWorse
+                       : better ? Verdict::kBetter
+                                : Verdict::kSame});
+  }
+}
+
+/// Nothing when no pair has the metric on both sides.
+std::optional<MetricChange> CompareMetric(const Metric& metric, const std::vector<RunPair>& pairs) {
+  std::vector<double> olds, news, worsenings;
+  for (const auto& [before, after] : pairs) {
+    const auto was = before->metrics.find(metric.name);
+    const auto is = after->metrics.find(metric.name);
+    if (was == before->metrics.end() || is == after->metrics.end()) continue;
+    olds.push_back(was->second);
+    news.push_back(is->second);
+    worsenings.push_back(Worsening(metric, was->second, is->second));
+  }
+  if (olds.empty()) return std::nullopt;
+  MetricChange change;
+  change.metric = metric.name;
+  change.unit = metric.unit;
+  change.pairs = static_cast<int>(olds.size());
+  change.noise = MedianNoise(worsenings);
+  if (metric.whole) {
+    // A count that rises in one run of many is a real event: judge the sum, not the median.
+    change.worsening = 0;
+    for (double w : worsenings) change.worsening += w;
+    change.noise = 0;
+  } else {
+    change.worsening = MedianOf(worsenings);
+    const double floor = change.pairs < kPairsForSpread ? kFloorFew : kFloorMany;
+    change.noise = std::max({change.noise, floor * std::abs(MedianOf(olds)), SmallestStep(metric)});
+  }
+  change.before = MedianOf(std::move(olds));
+  change.after = MedianOf(std::move(news));
+  change.verdict = Judge(change.worsening, change.noise);
+  return change;
+}
+
+std::optional<TimingChange> CompareStage(const std::string& stage,
+                                         const std::vector<RunPair>& pairs) {
+  std::vector<double> olds, news, logs;
+  for (const auto& [before, after] : pairs) {
+    const auto was = before->timing_ms.find(stage);
+    const auto is = after->timing_ms.find(stage);
+    if (was == before->timing_ms.end() || is == after->timing_ms.end()) continue;
+    if (was->second.median_ms <= 0 || is->second.median_ms <= 0) continue;
+    olds.push_back(was->second.median_ms);
+    news.push_back(is->second.median_ms);
+    logs.push_back(std::log(is->second.median_ms / was->second.median_ms));
+  }
+  if (olds.empty()) return std::nullopt;
+  TimingChange change;
+  change.stage = stage;
+  change.pairs = static_cast<int>(olds.size());
+  change.ratio = std::exp(MedianOf(logs));
+  change.noise = std::max(kTimingFloor, std::expm1(MedianNoise(logs)));
+  change.before_ms = MedianOf(std::move(olds));
+  change.after_ms = MedianOf(std::move(news));
+  const bool noticeable = std::abs(change.after_ms - change.before_ms) > kTimingFloor_ms;
+  const double log_ratio = noticeable ? std::log(change.ratio) : 0;
+  change.verdict = Judge(log_ratio, std::log1p(change.noise));
+  if (!noticeable && change.ratio != 1) change.verdict = Verdict::kWithinNoise;
+  return change;
+}
+
+void CompareGroup(const GroupKey& group, const std::vector<RunPair>& pairs,
+                  SuiteComparison& comparison) {
+  for (const Metric& metric : Metrics()) {
+    auto change = CompareMetric(metric, pairs);
+    if (!change) continue;
+    std::tie(change->scenario, change->backend) = group;
+    comparison.metrics.push_back(std::move(*change));
+  }
+  std::map<std::string, int> stages;
+  for (const auto& [before, after] : pairs) {
+    for (const auto& [stage, timing] : before->timing_ms) ++stages[stage];
+  }
+  for (const auto& [stage, count] : stages) {
+    auto change = CompareStage(stage, pairs);
+    if (!change) continue;
+    std::tie(change->scenario, change->backend) = group;
+    comparison.timings.push_back(std::move(*change));
+  }
+}
+
+template <typename Changes>
+bool AnyWorse(const Changes& changes) {
+  return std::any_of(changes.begin(), changes.end(),
+                     [](const auto& c) { return c.verdict == Verdict::kWorse; });
+}
+
+}  // namespace
+
+bool SuiteComparison::OutcomesOrMetricsRegressed() const {
+  return AnyWorse(outcomes) || AnyWorse(metrics);
+}
+
+bool SuiteComparison::TimingsRegressed() const { return AnyWorse(timings); }
+
+double Worsening(const Metric& metric, double before, double after) {
+  switch (metric.better) {
+    case Better::kLower:
+      return after - before;
+    case Better::kHigher:
+      return before - after;
+    case Better::kNearZero:
+      return std::abs(after) - std::abs(before);
+  }
+  return 0;
+}
+
+SuiteComparison Compare(const std::vector<RunSummary>& before,
+                        const std::vector<RunSummary>& after) {
+  SuiteComparison comparison;
+  const auto olds = ByKey(before);
+  const auto news = ByKey(after);
+  std::map<GroupKey, std::vector<RunPair>> groups;
+  for (const auto& [key, run] : olds) {
+    const auto match = news.find(key);
+    if (match == news.end()) {
+      comparison.missing.push_back(Title(*run));
+      continue;
+    }
+    ++comparison.pairs;
+    CompareOutcomes({run, match->second}, comparison.outcomes);
+    groups[{run->scenario, run->backend}].emplace_back(run, match->second);
+  }
+  for (const auto& [key, run] : news) {
+    if (olds.count(key) == 0) comparison.added.push_back(Title(*run));
+  }
+  for (const auto& [group, pairs] : groups) CompareGroup(group, pairs, comparison);
+  return comparison;
+}
+
+}  // namespace horopter::scenarios

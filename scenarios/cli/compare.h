@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/format/metric_registry.h"
+#include "scenarios/results/run_record.h"
+
+namespace horopter::scenarios {
+
+enum class Verdict { kSame, kWithinNoise, kBetter, kWorse };
+
+/// A run or expectation that ended otherwise than before.
+struct OutcomeChange {
+  std::string run;          ///< "first waypoint, seed 3, sim"
+  std::string expectation;  ///< "" = the run as a whole
+  std::string before;       ///< passed, failed, error, incomplete, not_applicable
+  std::string after;
+  Verdict verdict = Verdict::kSame;
+};
+
+/// A metric of a scenario on a backend, over the seeds that both sides played.
+struct MetricChange {
+  std::string scenario;
+  std::string backend;
+  std::string metric;
+  std::string unit;
+  int pairs = 0;
+  double before = 0;     ///< median over the pairs
+  double after = 0;      ///< likewise
+  double worsening = 0;  ///< median of the paired differences, positive when worse
+  double noise = 0;      ///< a worsening up to this is none
+  Verdict verdict = Verdict::kSame;
+};
+
+/// A stage's time, as the ratio after / before of its medians.
+struct TimingChange {
+  std::string scenario;
+  std::string backend;
+  std::string stage;
+  int pairs = 0;
+  double before_ms = 0;
+  double after_ms = 0;
+  double ratio = 1;
+  double noise = 0;  ///< a ratio up to 1 + noise is none
+  Verdict verdict = Verdict::kSame;
+};
+
+struct SuiteComparison {
+  int pairs = 0;                     ///< runs that both sides have
+  std::vector<std::string> missing;  ///< runs that only the old side has
+  std::vector<std::string> added;    ///< runs that only the new side has
+  std::vector<OutcomeChange> outcomes;
+  std::vector<MetricChange> metrics;
+  std::vector<TimingChange> timings;
+
+  bool OutcomesOrMetricsRegressed() const;
+  bool TimingsRegressed() const;
+};
+
+/// Compares two suites run by run (scenario, seed, backend).
+///
+/// An outcome or expectation that no longer passes is a regression. A metric is compared over all
+/// seeds of a scenario: the worsening is the median of the paired differences, the noise three
+/// standard errors of that median, with the spread of the differences estimated robustly (1.4826
+/// MAD; the median's standard error is 1.2533 sigma / sqrt(n)), and never less than a floor: 1 % of
+/// the old value and 1 mm, 0.01 deg, 0.05 s or 0.001. Below three pairs the spread is unknown and
+/// the floor is 10 % of the old value. Counts have no noise. Timings are ratios, on a logarithmic
+/// scale, with a floor of 25 % and 0.5 ms: other load on the machine is no regression.
+SuiteComparison Compare(const std::vector<RunSummary>& before,
+                        const std::vector<RunSummary>& after);
+
+/// How much worse `after` is than `before`, in the metric's unit; negative when better.
+double Worsening(const Metric& metric, double before, double after);
+
+}  // namespace horopter::scenarios

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scenarios/results/suite.h"
+#include "tests/scenarios/format/corpus.h"
+
+namespace horopter::scenarios {
+namespace {
+
+using testing::HasSubstr;
+
+struct Ran {
+  int code = -1;
+  std::string output;  ///< both streams
+};
+
+/// Runs the built program as a shell would. @param arguments shell words
+Ran Horopter(const std::string& arguments, const std::string& streams = "2>&1") {
+  const std::string command = std::string("'") + HOROPTER_PROGRAM "' " + arguments + " " + streams;
+  Ran ran;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return ran;
+  char buffer[4096];
+  for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+    ran.output.append(buffer, n);
+  const int status = pclose(pipe);
+  if (WIFEXITED(status)) ran.code = WEXITSTATUS(status);
+  return ran;
+}
+
+void ExpectUsageError(const std::string& arguments, const std::string& remedy) {
+  const Ran ran = Horopter(arguments);
+  EXPECT_EQ(ran.code, 2) << arguments << "\n" << ran.output;
+  EXPECT_THAT(ran.output, HasSubstr(remedy)) << arguments;
+  EXPECT_EQ(std::count(ran.output.begin(), ran.output.end(), '\n'), 1) << ran.output;
+}
+
+constexpr const char* kShipped = HOROPTER_SOURCE_DIR "/scenarios/koala/first_waypoint.yaml";
+
+TEST(CommandLine, HelpHasAnExampleEverywhere) {
+  for (const char* command : {"", "run", "list", "validate", "compare", "doctor", "schema"}) {
+    const Ran ran = Horopter(std::string(command) + " --help");
+    EXPECT_EQ(ran.code, 0) << command;
+    EXPECT_THAT(ran.output, HasSubstr(std::string("  horopter ") + command)) << command;
+    EXPECT_THAT(ran.output, HasSubstr("Example"));
+  }
+  EXPECT_THAT(Horopter("--version").output, testing::StartsWith("horopter "));
+  EXPECT_EQ(Horopter("--version").code, 0);
+}
+
+TEST(CommandLine, NothingToDoIsAUsageErrorWithHelp) {
+  const Ran ran = Horopter("");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_THAT(ran.output, HasSubstr("Examples"));
+}
+
+TEST(CommandLine, MistypedWordsGetASuggestion) {
+  ExpectUsageError("rnu scenarios", "unknown command 'rnu'; did you mean 'run'?");
+  ExpectUsageError("run x --sed 3", "unknown option '--sed'; did you mean '--seed'?");
+  ExpectUsageError("list --jsno", "did you mean '--json'?");
+  ExpectUsageError("--verison", "did you mean '--version'?");
+  ExpectUsageError("compare a", "NEW");
+  ExpectUsageError("compare a b c", "unexpected argument 'c'");
+  ExpectUsageError("run", "INPUT");
+}
+
+TEST(CommandLine, BadValuesAreUsageErrors) {
+  const std::string run = std::string("run '") + kShipped + "' ";
+  ExpectUsageError(run + "--seeds 5-1", "runs backwards");
+  ExpectUsageError(run + "--seeds 1-99999999", "more than 10000");
+  ExpectUsageError(run + "--seed x", "no seed");
+  ExpectUsageError(run + "--seed 1-3", "--seeds 1-3");
+  ExpectUsageError(run + "--seed 1 --seeds 1-3", "--seed");
+  ExpectUsageError(run + "--jobs 0", "--jobs");
+  ExpectUsageError(run + "--jobs many", "--jobs");
+  ExpectUsageError(run + "--time-limit -1", "--time-limit");
+  ExpectUsageError(run + "--resume", "--out");
+  ExpectUsageError(run + "--backend simm", "did you mean 'sim'?");
+  ExpectUsageError("run no/such/folder", "no such file or folder");
+}
+
+TEST(CommandLine, KnownBackendsThatAreNotThereExitWithFour) {
+  for (const char* backend : {"hardware", "emulated", "replay"}) {
+    const Ran ran = Horopter(std::string("run '") + kShipped + "' --backend " + backend);
+    EXPECT_EQ(ran.code, 4) << ran.output;
+    EXPECT_THAT(ran.output, HasSubstr(std::string("backend '") + backend + "' is not available"));
+  }
+}
+
+TEST(CommandLine, ValidateNamesPlaceAndRemedy) {
+  EXPECT_EQ(Horopter(std::string("validate '") + kShipped + "'").code, 0);
+  TemporaryFolder folder;
+  const auto bad = folder.Write("bad.yaml",
+                                "scene: koala/room.xml\ncamera: {widht: 3}\n"
+                                "steps:\n  - wait: {duration_s: 1}\nexpect: []\n");
+  const Ran ran = Horopter("validate '" + bad.string() + "'");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.output,
+            bad.string() + ":2:10: camera: unknown key 'widht'; did you mean 'width'?\n");
+}
+
+TEST(CommandLine, ListGivesJson) {
+  const Ran ran = Horopter("list --json", "");
+  EXPECT_EQ(ran.code, 0);
+  const nlohmann::json list = nlohmann::json::parse(ran.output);
+  ASSERT_FALSE(list.empty());
+  for (const auto& scenario : list) {
+    for (const char* key : {"file", "name", "tags", "description", "steps"}) {
+      EXPECT_TRUE(scenario.contains(key)) << key;
+    }
+  }
+}
+
+TEST(CommandLine, SchemaIsThePublishedOne) {
+  EXPECT_EQ(Horopter("schema", "").output,
+            Slurp(HOROPTER_SOURCE_DIR "/scenarios/schema/scenario.schema.json"));
+  EXPECT_TRUE(nlohmann::json::accept(Horopter("schema --robot", "").output));
+}
+
+TEST(CommandLine, DoctorTellsWhatIsThere) {
+  const nlohmann::json d = nlohmann::json::parse(Horopter("doctor --json", "").output);
+  EXPECT_GT(d.at("cores"), 0);
+  EXPECT_TRUE(d.at("versions").contains("mujoco"));
+  bool sim = false;
+  for (const auto& backend : d.at("backends")) {
+    sim = sim || (backend.at("name") == "sim" && backend.at("usable"));
+    EXPECT_EQ(backend.at("usable"), backend.at("problem") == "");
+  }
+  EXPECT_TRUE(sim);
+  const Ran without = Horopter("doctor", "2>&1; true");
+  EXPECT_THAT(without.output, HasSubstr("Rendering"));
+}
+
+TEST(CommandLine, CompareJudgesResultFolders) {
+  TemporaryFolder folder;
+  RunSummary run;
+  run.scenario = "a";
+  run.backend = "sim";
+  run.seed = 1;
+  run.outcome = Outcome::kPassed;
+  std::filesystem::create_directories(folder.path() / "old");
+  std::filesystem::create_directories(folder.path() / "new");
+  WriteSuite(folder.path() / "old", {run});
+  run.outcome = Outcome::kFailed;
+  WriteSuite(folder.path() / "new", {run});
+  const std::string old_dir = "'" + (folder.path() / "old").string() + "' ";
+  const std::string new_dir = "'" + (folder.path() / "new").string() + "' ";
+  EXPECT_EQ(Horopter("compare " + old_dir + old_dir).code, 0);
+  const Ran ran = Horopter("compare " + old_dir + new_dir);
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_THAT(ran.output, HasSubstr("WORSE"));
+  EXPECT_EQ(Horopter("compare " + old_dir + "'" + (folder.path() / "none").string() + "'").code, 2);
+}
+
+}  // namespace
+}  // namespace horopter::scenarios

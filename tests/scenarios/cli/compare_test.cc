@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/cli/compare.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "scenarios/cli/compare_table.h"
+
+namespace horopter::scenarios {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+RunSummary Run(std::uint64_t seed, std::map<std::string, double> metrics = {}) {
+  RunSummary run;
+  run.scenario = "first waypoint";
+  run.backend = "sim";
+  run.seed = seed;
+  run.outcome = Outcome::kPassed;
+  run.metrics = std::move(metrics);
+  return run;
+}
+
+/// Ten seeds whose metric is `value` plus noise of the given deviation, from a generator of its
+/// own.
+std::vector<RunSummary> Runs(const std::string& metric, double value, double sigma,
+                             unsigned stream) {
+  std::mt19937 random(stream);
+  std::normal_distribution<double> noise(0, 1);
+  std::vector<RunSummary> runs;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    runs.push_back(Run(seed, {{metric, value + sigma * noise(random)}}));
+  }
+  return runs;
+}
+
+Verdict MetricVerdict(const std::vector<RunSummary>& before, const std::vector<RunSummary>& after) {
+  const SuiteComparison comparison = Compare(before, after);
+  EXPECT_EQ(comparison.metrics.size(), 1u);
+  return comparison.metrics.empty() ? Verdict::kSame : comparison.metrics.front().verdict;
+}
+
+TEST(Compare, ASuiteAgainstItselfIsTheSame) {
+  const auto runs = Runs("clearance", 0.1, 0.02, 1);
+  const SuiteComparison comparison = Compare(runs, runs);
+  EXPECT_EQ(comparison.pairs, 10);
+  EXPECT_TRUE(comparison.outcomes.empty());
+  EXPECT_EQ(comparison.metrics.front().verdict, Verdict::kSame);
+  EXPECT_FALSE(comparison.OutcomesOrMetricsRegressed());
+}
+
+TEST(Compare, DirectionOfBetterComesFromTheRegistry) {
+  const auto worse = [](const char* name, double before, double after) {
+    return Worsening(*FindMetric(name), before, after) > 0;
+  };
+  EXPECT_TRUE(worse("clearance", 0.2, 0.1));
+  EXPECT_FALSE(worse("clearance", 0.1, 0.2));
+  EXPECT_TRUE(worse("depth.abs_rel.median", 0.1, 0.2));
+  EXPECT_TRUE(worse("depth.bias", 0.1, -0.2));
+  EXPECT_FALSE(worse("depth.bias", -0.2, 0.1));
+}
+
+TEST(Compare, NoiseOverSeedsIsNoRegressionAndAShiftBeyondItIs) {
+  const auto before = Runs("depth.abs_rel.median", 0.03, 0.004, 1);
+  EXPECT_EQ(MetricVerdict(before, Runs("depth.abs_rel.median", 0.03, 0.004, 2)),
+            Verdict::kWithinNoise);
+  EXPECT_EQ(MetricVerdict(before, Runs("depth.abs_rel.median", 0.05, 0.004, 2)), Verdict::kWorse);
+  EXPECT_EQ(MetricVerdict(before, Runs("depth.abs_rel.median", 0.01, 0.004, 2)), Verdict::kBetter);
+}
+
+TEST(Compare, OneOutlierDoesNotDecide) {
+  auto after = Runs("clearance", 0.1, 0, 1);
+  const auto before = after;
+  after[4].metrics["clearance"] = 0.0;
+  EXPECT_NE(MetricVerdict(before, after), Verdict::kWorse);
+}
+
+TEST(Compare, SingleRunsGetACoarseLimit) {
+  const auto one = [](double value) {
+    return std::vector<RunSummary>{Run(1, {{"clearance", value}})};
+  };
+  EXPECT_EQ(MetricVerdict(one(0.10), one(0.095)), Verdict::kWithinNoise);
+  EXPECT_EQ(MetricVerdict(one(0.10), one(0.080)), Verdict::kWorse);
+}
+
+TEST(Compare, EveryMoreContactIsWorse) {
+  auto after = Runs("contacts", 0, 0, 1);
+  const auto before = after;
+  after[7].metrics["contacts"] = 1;
+  EXPECT_EQ(MetricVerdict(before, after), Verdict::kWorse);
+  EXPECT_EQ(MetricVerdict(after, before), Verdict::kBetter);
+}
+
+TEST(Compare, PassedToAnythingElseIsARegression) {
+  for (Outcome ended : {Outcome::kFailed, Outcome::kError, Outcome::kIncomplete}) {
+    RunSummary after = Run(1);
+    after.outcome = ended;
+    EXPECT_TRUE(Compare({Run(1)}, {after}).OutcomesOrMetricsRegressed());
+    EXPECT_FALSE(Compare({after}, {Run(1)}).OutcomesOrMetricsRegressed());
+  }
+}
+
+TEST(Compare, ExpectationsAreComparedWithinFailedRuns) {
+  RunSummary before = Run(1);
+  before.outcome = Outcome::kFailed;
+  ExpectationResult expectation;
+  expectation.name = "contacts 0";
+  expectation.outcome = ExpectationOutcome::kPassed;
+  before.expectations = {expectation};
+  RunSummary after = before;
+  after.expectations[0].outcome = ExpectationOutcome::kFailed;
+  const SuiteComparison comparison = Compare({before}, {after});
+  ASSERT_EQ(comparison.outcomes.size(), 1u);
+  EXPECT_EQ(comparison.outcomes[0].expectation, "contacts 0");
+  EXPECT_TRUE(comparison.OutcomesOrMetricsRegressed());
+}
+
+TEST(Compare, RunsAreMatchedBySeedAndMissingOnesNamed) {
+  const SuiteComparison comparison = Compare({Run(1), Run(2)}, {Run(3), Run(2)});
+  EXPECT_EQ(comparison.pairs, 1);
+  EXPECT_THAT(comparison.missing, ElementsAre("first waypoint, seed 1, sim"));
+  EXPECT_THAT(comparison.added, ElementsAre("first waypoint, seed 3, sim"));
+}
+
+TEST(Compare, TimingsRegressOnlyBeyondAGenerousRatio) {
+  const auto timed = [](double ms) {
+    RunSummary run = Run(1);
+    run.timing_ms["disparity"] = {ms, ms, 10};
+    return std::vector<RunSummary>{run};
+  };
+  EXPECT_FALSE(Compare(timed(100), timed(115)).TimingsRegressed());
+  EXPECT_TRUE(Compare(timed(100), timed(150)).TimingsRegressed());
+  EXPECT_FALSE(Compare(timed(100), timed(150)).OutcomesOrMetricsRegressed());
+  EXPECT_FALSE(Compare(timed(0.01), timed(0.1)).TimingsRegressed());  // below what is noticeable
+}
+
+TEST(CompareTable, ShowsRegressionsFirstAndCountsTheRest) {
+  auto before = Run(1, {{"clearance", 0.2}, {"path_length", 3.0}, {"contacts", 0}});
+  auto after = Run(1, {{"clearance", 0.1}, {"path_length", 2.0}, {"contacts", 0}});
+  const std::string table = CompareTable(Compare({before}, {after}), false);
+  EXPECT_THAT(table, HasSubstr("WORSE"));
+  EXPECT_LT(table.find("clearance"), table.find("path_length"));
+  EXPECT_THAT(table, HasSubstr("1 metrics the same"));
+  EXPECT_EQ(table.find("contacts"), std::string::npos);
+  EXPECT_THAT(CompareTable(Compare({before}, {after}), true), HasSubstr("contacts"));
+}
+
+}  // namespace
+}  // namespace horopter::scenarios
