@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-RunSummary Run(std::uint64_t seed, std::map<std::string, double> metrics = {}) {
+RunSummary Played(std::uint64_t seed, std::map<std::string, double> metrics = {}) {
   RunSummary run;
   run.scenario = "first waypoint";
   run.backend = "sim";
@@ -32,7 +32,7 @@ std::vector<RunSummary> Runs(const std::string& metric, double value, double sig
   std::normal_distribution<double> noise(0, 1);
   std::vector<RunSummary> runs;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    runs.push_back(Run(seed, {{metric, value + sigma * noise(random)}}));
+    runs.push_back(Played(seed, {{metric, value + sigma * noise(random)}}));
   }
   return runs;
 }
@@ -80,7 +80,7 @@ TEST(Compare, OneOutlierDoesNotDecide) {
 
 TEST(Compare, SingleRunsGetACoarseLimit) {
   const auto one = [](double value) {
-    return std::vector<RunSummary>{Run(1, {{"clearance", value}})};
+    return std::vector<RunSummary>{Played(1, {{"clearance", value}})};
   };
   EXPECT_EQ(MetricVerdict(one(0.10), one(0.095)), Verdict::kWithinNoise);
   EXPECT_EQ(MetricVerdict(one(0.10), one(0.080)), Verdict::kWorse);
@@ -96,15 +96,15 @@ TEST(Compare, EveryMoreContactIsWorse) {
 
 TEST(Compare, PassedToAnythingElseIsARegression) {
   for (Outcome ended : {Outcome::kFailed, Outcome::kError, Outcome::kIncomplete}) {
-    RunSummary after = Run(1);
+    RunSummary after = Played(1);
     after.outcome = ended;
-    EXPECT_TRUE(Compare({Run(1)}, {after}).OutcomesOrMetricsRegressed());
-    EXPECT_FALSE(Compare({after}, {Run(1)}).OutcomesOrMetricsRegressed());
+    EXPECT_TRUE(Compare({Played(1)}, {after}).OutcomesOrMetricsRegressed());
+    EXPECT_FALSE(Compare({after}, {Played(1)}).OutcomesOrMetricsRegressed());
   }
 }
 
 TEST(Compare, ExpectationsAreComparedWithinFailedRuns) {
-  RunSummary before = Run(1);
+  RunSummary before = Played(1);
   before.outcome = Outcome::kFailed;
   ExpectationResult expectation;
   expectation.name = "contacts 0";
@@ -119,7 +119,7 @@ TEST(Compare, ExpectationsAreComparedWithinFailedRuns) {
 }
 
 TEST(Compare, RunsAreMatchedBySeedAndMissingOnesNamed) {
-  const SuiteComparison comparison = Compare({Run(1), Run(2)}, {Run(3), Run(2)});
+  const SuiteComparison comparison = Compare({Played(1), Played(2)}, {Played(3), Played(2)});
   EXPECT_EQ(comparison.pairs, 1);
   EXPECT_THAT(comparison.missing, ElementsAre("first waypoint, seed 1, sim"));
   EXPECT_THAT(comparison.added, ElementsAre("first waypoint, seed 3, sim"));
@@ -127,7 +127,7 @@ TEST(Compare, RunsAreMatchedBySeedAndMissingOnesNamed) {
 
 TEST(Compare, TimingsRegressOnlyBeyondAGenerousRatio) {
   const auto timed = [](double ms) {
-    RunSummary run = Run(1);
+    RunSummary run = Played(1);
     run.timing_ms["disparity"] = {ms, ms, 10};
     return std::vector<RunSummary>{run};
   };
@@ -138,8 +138,8 @@ TEST(Compare, TimingsRegressOnlyBeyondAGenerousRatio) {
 }
 
 TEST(CompareTable, ShowsRegressionsFirstAndCountsTheRest) {
-  auto before = Run(1, {{"clearance", 0.2}, {"path_length", 3.0}, {"contacts", 0}});
-  auto after = Run(1, {{"clearance", 0.1}, {"path_length", 2.0}, {"contacts", 0}});
+  auto before = Played(1, {{"clearance", 0.2}, {"path_length", 3.0}, {"contacts", 0}});
+  auto after = Played(1, {{"clearance", 0.1}, {"path_length", 2.0}, {"contacts", 0}});
   const std::string table = CompareTable(Compare({before}, {after}), false);
   EXPECT_THAT(table, HasSubstr("WORSE"));
   EXPECT_LT(table.find("clearance"), table.find("path_length"));

@@ -27,8 +27,8 @@ inline std::string Slurp(const std::filesystem::path& path) {
 
 inline std::vector<Document> Corpus(const std::string& kind) {
   std::vector<Document> documents;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(TEST_DATA_DIR) / kind)) {
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::filesystem::path(HOROPTER_SOURCE_DIR "/tests/scenarios/format/data") / kind)) {
     documents.push_back({entry.path().filename().string(), Slurp(entry.path())});
   }
   std::sort(documents.begin(), documents.end(),

@@ -63,7 +63,7 @@ TEST(ScenarioFormat, EveryKeyArrives) {
   EXPECT_EQ(std::get<LookAtStep>(s.steps[1].action).target_m.y(), 3);
   EXPECT_EQ(std::get<SaccadeStep>(s.steps[3].action), SaccadeStep{});
   EXPECT_EQ(std::get<GotoStep>(s.steps[4].action).goal_m, Eigen::Vector2d(3, -0.5));
-  EXPECT_EQ(s.steps[4].mark.ToString(), "everything.yaml:24:5");
+  EXPECT_EQ(s.steps[4].mark.ToString(), "everything.yaml:22:5");
 }
 
 TEST(ScenarioFormat, GoodDocumentsSurviveResolving) {
