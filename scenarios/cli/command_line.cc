@@ -63,7 +63,7 @@ int ExplainUsage(const CLI::App& app, const CLI::ParseError& error) {
   const bool extras = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   const std::string help = parsed.empty() ? "" : " " + chosen.get_name();
   std::cerr << "horopter" << help << ": " << (extras ? Unexpected(app, chosen) : error.what())
-            << "; see horopter" << help << " --help\n";
+            << " (see horopter" << help << " --help)\n";
   return kUsage;
 }
 

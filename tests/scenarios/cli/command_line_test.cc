@@ -84,6 +84,7 @@ TEST(CommandLine, BadValuesAreUsageErrors) {
   ExpectUsageError(run + "--resume", "--out");
   ExpectUsageError(run + "--backend simm", "did you mean 'sim'?");
   ExpectUsageError("run no/such/folder", "no such file or folder");
+  ExpectUsageError("run --tag koala no/such/folder", "no such file or folder");
 }
 
 TEST(CommandLine, KnownBackendsThatAreNotThereExitWithFour) {
