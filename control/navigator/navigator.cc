@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 
 namespace horopter::control {
@@ -127,12 +128,12 @@ StripMeasurements Navigator::LookAhead(const SceneView& view, const Pose2& X_OB)
 }
 
 void Navigator::Avoid(const StripMeasurements& seen, const Pose2& X_OB) {
-  side_ = ChooseSide(seen, X_OB);
-  obstacle_ = seen.centre;
-  const double heading = hardware::WrapAngle(X_OB.heading_rad + (*side_ == Strip::kLeft ? 1 : -1) *
-                                                                    config_.avoid_angle_rad);
   const double distance = std::clamp(config_.avoid_fraction * DistanceTo(X_OB, *p_OG_),
                                      config_.avoid_min_m, config_.avoid_max_m);
+  const Detour detour = ChooseDetour(seen, X_OB, distance);
+  side_ = detour.side;
+  obstacle_ = seen.centre;
+  const double heading = hardware::WrapAngle(X_OB.heading_rad + detour.turn_rad);
   waypoint_ = Pose2{X_OB.x_m + distance * std::cos(heading),
                     X_OB.y_m + distance * std::sin(heading), heading};
   goal_leg_start_.reset();
@@ -140,6 +141,32 @@ void Navigator::Avoid(const StripMeasurements& seen, const Pose2& X_OB) {
                   Metres(seen.near_m(Strip::kLeft)) + ", right " +
                   Metres(seen.near_m(Strip::kRight)) + ": going " +
                   (*side_ == Strip::kLeft ? "left" : "right");
+}
+
+Navigator::Detour Navigator::ChooseDetour(const StripMeasurements& seen, const Pose2& X_OB,
+                                          double distance_m) const {
+  const Strip freer = ChooseSide(seen, X_OB);
+  const double sign = freer == Strip::kLeft ? 1 : -1;
+  Detour best{freer, sign * config_.avoid_angle_rad};
+  if (config_.avoid_directions == 1) return best;
+
+  const auto points_B = memory_.PointsInBase(X_OB);
+  const double goal_bearing = BearingTo(X_OB, *p_OG_);
+  const double needed = distance_m + config_.strips.corridor_half_width_m;
+  double best_cost = std::numeric_limits<double>::infinity();
+  for (int k = 1; k <= config_.avoid_directions; ++k) {
+    for (const Strip side : {freer, Other(freer)}) {
+      const double turn = (side == Strip::kLeft ? k : -k) * config_.avoid_angle_rad;
+      if (MeasurePoints(points_B, turn, config_.strips).near_m(Strip::kCentre) < needed) continue;
+      const bool leaves_side = side_ && side != *side_;
+      const double cost = std::abs(hardware::WrapAngle(turn - goal_bearing)) +
+                          (leaves_side ? config_.avoid_other_side_rad : 0);
+      if (cost >= best_cost) continue;
+      best = {side, turn};
+      best_cost = cost;
+    }
+  }
+  return best;
 }
 
 Strip Navigator::ChooseSide(const StripMeasurements& seen, const Pose2& X_OB) const {

@@ -55,6 +55,8 @@ struct NavigatorDecision {
 /// - Target in front: what lies beyond the current target is not in its way.
 /// - Stop distance: never forward into something near ahead; only turning is left, and the next
 ///   view moves the waypoint on to the freer side.
+/// - Free direction: where a waypoint at +-pi/10 has something in the way to it, the next multiples
+///   of that angle are tried; of the free ones the nearest to the goal's direction is taken.
 /// - Side hold: the side is changed only for a clearly freer one, so that the robot does not
 /// dither.
 /// - Blind: no motion before the first view or with one that is too old.
@@ -89,6 +91,13 @@ class Navigator {
   /// What is in the way to the current target and beside it, for a view taken at X_OB.
   StripMeasurements LookAhead(const SceneView& view, const hardware::Pose2& X_OB) const;
   void Avoid(const StripMeasurements& seen, const hardware::Pose2& X_OB);
+  /// A way round: which side, and by how much off the robot's heading.
+  struct Detour {
+    Strip side;
+    double turn_rad = 0;
+  };
+  Detour ChooseDetour(const StripMeasurements& seen, const hardware::Pose2& X_OB,
+                      double distance_m) const;
   /// kLeft or kRight.
   Strip ChooseSide(const StripMeasurements& seen, const hardware::Pose2& X_OB) const;
   void LeaveReachedWaypoint(const hardware::Pose2& X_OB);

@@ -58,6 +58,10 @@ std::vector<hardware::FieldError> NavigatorConfig::Validate() const {
   check.Positive("stuck_after_s", stuck_after_s);
   check.Positive("stuck_progress_m", stuck_progress_m);
 
+  check.Require(avoid_directions >= 1 && avoid_directions * avoid_angle_rad <= M_PI,
+                "avoid_directions", avoid_directions,
+                "must be at least 1, and times avoid_angle_rad at most pi");
+  check.NotNegative("avoid_other_side_rad", avoid_other_side_rad);
   check.Positive("gaze_min_m", gaze_min_m);
   check.Require(gaze_max_m >= gaze_min_m, "gaze_max_m", gaze_max_m, "must be at least gaze_min_m");
   check.Require(std::isfinite(gaze_height_m), "gaze_height_m", gaze_height_m, "must be finite");

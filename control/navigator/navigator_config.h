@@ -15,9 +15,9 @@ namespace horopter::control {
 ///
 /// The first block is the paper's rule (Chessa et al. 2014, "Navigation"), which leaves its numbers
 /// open; the second is what a robot with a width and a narrow view needs besides. Setting
-/// obstacle_test = kCentralImage, stop_distance_m = slow_distance_m = 0, side_hold_m = 0,
-/// side_switch_ratio = 1 and memory.keep_s = 0 leaves the paper's rule alone, with the two stops
-/// (blind, stuck).
+/// obstacle_test = kCentralImage, avoid_directions = 1, stop_distance_m = slow_distance_m = 0,
+/// side_hold_m = 0, side_switch_ratio = 1 and memory.keep_s = 0 leaves the paper's rule alone, with
+/// the two stops (blind, stuck).
 struct NavigatorConfig {
   ObstacleTest obstacle_test = ObstacleTest::kCorridor;
   StripConfig strips;
@@ -29,17 +29,21 @@ struct NavigatorConfig {
   double waypoint_tolerance_m = 0.12;  ///< an intermediate waypoint counts as reached
   double goal_tolerance_m = 0.08;
 
-  double stop_distance_m = 0.42;   ///< no forward motion with something in the corridor ahead
-  double slow_distance_m = 0.70;   ///< from here to stop_distance_m the speed falls
-  double max_view_age_s = 1.0;     ///< with an older view, or none, the robot stands still
-  double side_switch_ratio = 1.5;  ///< a held side is left only for one so many times freer
-  double side_hold_m = 0.6;        ///< a side is held until so far driven since the last waypoint
-  double stuck_after_s = 40;       ///< without getting nearer the goal by stuck_progress_m
+  int avoid_directions = 8;  ///< multiples of avoid_angle_rad tried on each side for one that
+                             ///< is free; 1: the paper's alone
+  double avoid_other_side_rad = 0.6;  ///< by how much nearer the goal's direction a way on the
+                                      ///< other side must be for a held side to be left
+  double stop_distance_m = 0.42;      ///< no forward motion with something in the corridor ahead
+  double slow_distance_m = 0.70;      ///< from here to stop_distance_m the speed falls
+  double max_view_age_s = 1.0;        ///< with an older view, or none, the robot stands still
+  double side_switch_ratio = 1.5;     ///< a held side is left only for one so many times freer
+  double side_hold_m = 0.6;   ///< a side is held until so far driven since the last waypoint
+  double stuck_after_s = 40;  ///< without getting nearer the goal by stuck_progress_m
   double stuck_progress_m = 0.05;
   ObstacleMemoryConfig memory;
 
-  double gaze_min_m = 0.6;  ///< bounds of the fixation distance
-  double gaze_max_m = 1.5;
+  double gaze_min_m = 1.0;  ///< bounds of the fixation distance
+  double gaze_max_m = 2.0;
   double gaze_height_m = 0.10;        ///< height of the gaze target in the base frame
   double gaze_max_bearing_rad = 0.3;  ///< so that what lies straight ahead stays in view
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <utility>
 
 #include "control/base/unicycle.h"

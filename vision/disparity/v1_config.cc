@@ -65,6 +65,9 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
   c.Require(min_correlation >= -1 && min_correlation < 1, "min_correlation", min_correlation,
             "must be in [-1, 1)");
   c.Require(NotNegative(left_right_px), "left_right_px", left_right_px, "must not be negative");
+  c.Require(min_segment_px >= 0, "min_segment_px", min_segment_px, "must not be negative");
+  c.Require(NotNegative(segment_step_px), "segment_step_px", segment_step_px,
+            "must not be negative");
   return c.Take();
 }
 
@@ -81,6 +84,7 @@ V1Config V1Config::Preset(std::string_view name) {
     config.max_kept_octaves = config.scales;
     config.min_correlation = -1;
     config.left_right_px = 0;
+    config.min_segment_px = 0;
     return config;
   }
   throw std::invalid_argument("unknown v1 preset \"" + std::string(name) +

@@ -40,7 +40,7 @@ struct V1Config {
   double saturation_grey = 0.5;
   /// Deviation of the sensor's noise at full size [grey levels]; an octave halves it. 2009 has only
   /// a threshold against rounding. 1 suits a good camera's 8 bits; say more for a noisier one.
-  double noise_grey = 1;
+  double noise_grey = 2;
   /// A pixel is textureless at a scale where its mean binocular energy is below this multiple of
   /// what noise alone makes. Over a pixel's population noise deviates by about a fifth of its mean.
   double min_signal_to_noise = 2;
@@ -73,7 +73,7 @@ struct V1Config {
   int median_px = 5;
   /// Where the finest scales see nothing, a coarser estimate is kept up to this many octaves; an
   /// unconfirmed one is invalid. 2009: all.
-  int max_kept_octaves = 2;
+  int max_kept_octaves = 0;
 
   // --- Checks ---
 
@@ -83,6 +83,11 @@ struct V1Config {
   /// Largest distance between a pixel and where its match in the right image points back to [px];
   /// 0 = no check (2009). It finds occlusions and most false matches, at twice the time.
   double left_right_px = 1;
+  /// Smallest segment of smooth disparity that is kept [px]; 0 = any (2009). It finds the islands
+  /// of false matches that plain surfaces and unreachable disparities leave.
+  int min_segment_px = 200;
+  /// Largest step of disparity between neighbours of one segment [px].
+  double segment_step_px = 1;
 
   /// Every field that does not hold.
   std::vector<hardware::FieldError> Validate() const;

@@ -9,6 +9,7 @@
 #include "vision/disparity/image_pair.h"
 #include "vision/disparity/left_right_check.h"
 #include "vision/disparity/pyramid.h"
+#include "vision/disparity/small_segments.h"
 
 namespace horopter::vision {
 namespace {
@@ -55,6 +56,9 @@ DisparityField V1EnergyEstimator::Estimate(const cv::Mat& left, const cv::Mat& r
   if (config_.left_right_px > 0) {
     const DisparityField back = CoarseToFine(right_cells, left_cells);
     CheckLeftRight(back, config_.left_right_px, field);
+  }
+  if (config_.min_segment_px > 1) {
+    InvalidateSmallSegments(config_.min_segment_px, config_.segment_step_px, field);
   }
   BlankInvalid(field);
   return field;

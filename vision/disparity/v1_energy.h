@@ -17,8 +17,9 @@ namespace horopter::vision {
 /// pyramid extends the reach to +-max_disparity_px * (2^scales - 1).
 ///
 /// Invalid are: pixels without texture at every scale that counts; matches of too little binocular
-/// correlation, where the preset asks for any; matches outside the right image; and, with
-/// `left_right_px`, what the reverse direction does not confirm. Confidence is the binocular
+/// correlation, where the preset asks for any; matches outside the right image; with
+/// `left_right_px`, what the reverse direction does not confirm; and, with `min_segment_px`, small
+/// islands. Confidence is the binocular
 /// correlation (PopulationDisparity) of the finest scale that saw the pixel, at the start of its
 /// last iteration, halved for every octave that this scale is above full size.
 class V1EnergyEstimator final : public DisparityEstimator {
