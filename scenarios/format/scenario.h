@@ -60,10 +60,10 @@ struct HeadSpec {
 
 struct VisionSpec {
   std::string method = "v1";
-  std::string preset = "checked";
+  std::string preset = "cautious";
   int scales = 5;
-  double rate_hz = 2.5;     ///< vision cycles per simulated second
-  double latency_s = 0.35;  ///< modelled: from capture to result
+  double rate_hz = 2.5;     ///< vision cycles per simulated second, if latency allows
+  double latency_s = 0.40;  ///< modelled: from capture to result; the next cycle starts after it
   int median_px = 11;       ///< segmentation, Chessa et al. 2014
   int edge_threshold = 21;  ///< likewise
 

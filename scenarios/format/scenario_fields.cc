@@ -62,10 +62,12 @@ void Visit(FieldVisitor& v, HeadSpec& s) {
 
 void Visit(FieldVisitor& v, VisionSpec& s) {
   v.Choice({"method", "", "How disparity is found."}, {"v1"}, s.method);
-  v.Choice({"preset", "", "Settings of the method: with consistency checks, or as published."},
-           {"checked", "paper_2009"}, s.preset);
+  v.Choice({"preset", "", "Settings of the method: fit to drive by, denser, or as published."},
+           {"cautious", "checked", "paper_2009"}, s.preset);
   v.Integral({"scales", "", "Levels of the image pyramid, coarse to fine."}, {1, 8}, s.scales);
-  v.Number({"rate_hz", "Hz", "Vision cycles per simulated second."}, {0, 60, true}, s.rate_hz);
+  v.Number({"rate_hz", "Hz",
+            "Vision cycles per simulated second, at most; one begins when the last has ended."},
+           {0, 60, true}, s.rate_hz);
   v.Number({"latency_s", "s", "Modelled time from capture to result."}, {0, 10}, s.latency_s);
   v.Integral({"median_px", "px", "Side of the median filter before segmentation."}, {1, 51},
              s.median_px);

@@ -72,9 +72,8 @@ class FixateBehaviour final : public HoldGaze {
 
  private:
   HeadAngles Target(const StackState& state, StepOutput& out) const override {
-    const control::Fixation fixation =
-        control::Fixate(context().geometry, context().limits, state.angles.neck,
-                        InBase(state.X_OB, target_O_));
+    const control::Fixation fixation = control::Fixate(
+        context().geometry, context().limits, state.angles.neck, InBase(state.X_OB, target_O_));
     if (!fixation.reachable()) out.failure = "cannot fixate: " + fixation.why;
     out.fixated_O = target_O_;
     return fixation.angles;
@@ -90,9 +89,8 @@ class LookAtBehaviour final : public HoldGaze {
 
  private:
   HeadAngles Target(const StackState& state, StepOutput& out) const override {
-    const control::Fixation fixation =
-        control::Fixate(context().geometry, context().limits, state.angles.neck,
-                        InBase(state.X_OB, target_O_));
+    const control::Fixation fixation = control::Fixate(
+        context().geometry, context().limits, state.angles.neck, InBase(state.X_OB, target_O_));
     if (!fixation.reachable()) out.failure = "cannot look there: " + fixation.why;
     HeadAngles parallel = fixation.angles;
     parallel.left.pan_rad = parallel.right.pan_rad =
@@ -161,8 +159,8 @@ class GotoBehaviour final : public Behaviour {
     out.twist = decision.command;
     out.waypoint_O = decision.waypoint;
     out.decision = fmt::format("{}: {}", control::ToString(decision.state), decision.reason);
-    const control::Fixation gaze = control::Fixate(context_.geometry, context_.limits,
-                                                   state.angles.neck, decision.gaze_B);
+    const control::Fixation gaze =
+        control::Fixate(context_.geometry, context_.limits, state.angles.neck, decision.gaze_B);
     out.head = gaze.angles;
     if (decision.state == control::NavigatorState::kReached) {
       out.done = true;

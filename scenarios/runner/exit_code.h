@@ -9,8 +9,8 @@ namespace horopter::scenarios {
 enum class ExitCode {
   kPassed = 0,
   kExpectationFailed = 1,
-  kBadInput = 2,             ///< or usage
-  kInfrastructure = 3,       ///< no GL, disk full, physics that blew up
+  kBadInput = 2,        ///< or usage
+  kInfrastructure = 3,  ///< no GL, disk full, physics that blew up
   kHardwareUnavailable = 4,
 };
 

@@ -138,7 +138,7 @@ PlanRecord KoalaTruth::Plan() {
     if (!solid || robot_geoms_.count(geom) > 0 || floor_geoms_.count(geom) > 0) continue;
     const Eigen::Map<const Eigen::Vector3d> p_WG(data.geom_xpos + 3 * geom);
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R_WG(data.geom_xmat +
-                                                                             9 * geom);
+                                                                              9 * geom);
     std::vector<cv::Point2f> points, hull;
     for (const Eigen::Vector3d& p_GP : OutlinePoints(model, geom)) {
       const Eigen::Vector3d p_O = X_OW * Eigen::Vector3d(R_WG * p_GP + p_WG);

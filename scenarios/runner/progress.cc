@@ -21,8 +21,7 @@ Progress::Progress(std::ostream& out, bool terminal)
 std::string Progress::TimeLeft(const State& state) const {
   if (state.done_sim_s < 1) return "";
   const double elapsed_s = std::chrono::duration<double>(WallClock::now() - start_).count();
-  const double left_s =
-      elapsed_s * (state.total_sim_s - state.done_sim_s) / state.done_sim_s;
+  const double left_s = elapsed_s * (state.total_sim_s - state.done_sim_s) / state.done_sim_s;
   const int minutes = static_cast<int>(left_s / 60);
   const int seconds = static_cast<int>(std::ceil(left_s - 60 * minutes));
   return minutes > 0 ? fmt::format("at most {} min {} s left", minutes, seconds)

@@ -23,10 +23,13 @@ Outcome OutcomeOf(const std::vector<ExpectationResult>& expectations) {
 
 ExitCode CodeOf(Outcome outcome) {
   switch (outcome) {
-    case Outcome::kPassed: return ExitCode::kPassed;
-    case Outcome::kFailed: return ExitCode::kExpectationFailed;
+    case Outcome::kPassed:
+      return ExitCode::kPassed;
+    case Outcome::kFailed:
+      return ExitCode::kExpectationFailed;
     case Outcome::kError:
-    case Outcome::kIncomplete: break;
+    case Outcome::kIncomplete:
+      break;
   }
   return ExitCode::kInfrastructure;
 }
@@ -57,8 +60,8 @@ void Play(const Scenario& scenario, const RunHooks& hooks, RunWriter& writer, Ru
   }
   book_results();
   for (const Expectation& expectation : scenario.expect) {
-    summary.expectations.push_back(Evaluate(expectation, session.book(), summary.metrics,
-                                            backend->truth() != nullptr));
+    summary.expectations.push_back(
+        Evaluate(expectation, session.book(), summary.metrics, backend->truth() != nullptr));
   }
   summary.outcome = OutcomeOf(summary.expectations);
   summary.error = ending.failure;

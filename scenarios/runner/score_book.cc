@@ -15,7 +15,8 @@
 namespace horopter::scenarios {
 namespace {
 
-/// Every so-manieth scored pixel enters the run's quantiles; a prime, so that it walks over columns.
+/// Every so-manieth scored pixel enters the run's quantiles; a prime, so that it walks over
+/// columns.
 constexpr int kStride = 7;
 
 std::optional<double> Mean(const std::vector<double>& sample) {
@@ -29,11 +30,16 @@ bool Scorable(float depth_m, float true_depth_m) {
 
 bool Holds(double value, Comparison comparison, double limit) {
   switch (comparison) {
-    case Comparison::kAtMost: return value <= limit;
-    case Comparison::kAtLeast: return value >= limit;
-    case Comparison::kLess: return value < limit;
-    case Comparison::kGreater: return value > limit;
-    case Comparison::kEqual: return value == limit;
+    case Comparison::kAtMost:
+      return value <= limit;
+    case Comparison::kAtLeast:
+      return value >= limit;
+    case Comparison::kLess:
+      return value < limit;
+    case Comparison::kGreater:
+      return value > limit;
+    case Comparison::kEqual:
+      return value == limit;
   }
   return false;
 }
@@ -54,9 +60,9 @@ void EvaluateReached(const Expectation& expectation, const std::vector<GotoOutco
     if (g.reached && distance <= result.limit && in_time) continue;
     result.outcome = ExpectationOutcome::kFailed;
     if (result.detail.empty()) {
-      result.detail = fmt::format("{} after {:.1f} s, {:.3f} m from the goal",
-                                  g.reached ? "said it had arrived" : "gave up", g.duration_s,
-                                  distance);
+      result.detail =
+          fmt::format("{} after {:.1f} s, {:.3f} m from the goal",
+                      g.reached ? "said it had arrived" : "gave up", g.duration_s, distance);
     }
   }
 }
@@ -94,16 +100,16 @@ void ScoreBook::AddTick(const Tick& tick) {
   if (tick.fixation_error_deg) fixation_errors_deg_.push_back(*tick.fixation_error_deg);
   if (!tick.true_pose) return;
   if (last_true_) {
-    path_m_ += std::hypot(tick.true_pose->x_m - last_true_->x_m,
-                          tick.true_pose->y_m - last_true_->y_m);
+    path_m_ +=
+        std::hypot(tick.true_pose->x_m - last_true_->x_m, tick.true_pose->y_m - last_true_->y_m);
   }
   last_true_ = tick.true_pose;
-  odometry_error_m_ = std::hypot(tick.true_pose->x_m - tick.odometry.x_m,
-                                 tick.true_pose->y_m - tick.odometry.y_m);
+  odometry_error_m_ =
+      std::hypot(tick.true_pose->x_m - tick.odometry.x_m, tick.true_pose->y_m - tick.odometry.y_m);
 }
 
-void ScoreBook::AddFrame(const DepthScore& score, const cv::Mat1f& depth_m,
-                         const FrameTruth& truth, bool fixating) {
+void ScoreBook::AddFrame(const DepthScore& score, const cv::Mat1f& depth_m, const FrameTruth& truth,
+                         bool fixating) {
   densities_.push_back(score.density);
   if (score.abs_rel_median) frame_medians_.push_back(*score.abs_rel_median);
   if (score.bias_m) biases_m_.push_back(*score.bias_m);

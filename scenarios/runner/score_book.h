@@ -21,9 +21,9 @@ DepthScore ScoreDepth(const cv::Mat1f& depth_m, const cv::Mat1f& true_depth_m);
 
 /// How a goto step ended.
 struct GotoOutcome {
-  bool reached = false;                    ///< in the robot's own opinion
-  double duration_s = 0;                   ///< from the step's start
-  std::optional<double> true_distance_m;   ///< from the goal, where there is truth
+  bool reached = false;                   ///< in the robot's own opinion
+  double duration_s = 0;                  ///< from the step's start
+  std::optional<double> true_distance_m;  ///< from the goal, where there is truth
 };
 
 /// Collects what happens in a run and turns it into the metrics that expectations name

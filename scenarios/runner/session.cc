@@ -42,8 +42,9 @@ hardware::PerEye<hardware::CameraModel> Models(const hardware::CameraPair& camer
 
 control::NavigatorConfig NavigatorConfigOf(const NavigationSpec& spec) {
   control::NavigatorConfig config;
-  config.obstacle_test = spec.obstacle_test == "central_image" ? control::ObstacleTest::kCentralImage
-                                                               : control::ObstacleTest::kCorridor;
+  config.obstacle_test = spec.obstacle_test == "central_image"
+                             ? control::ObstacleTest::kCentralImage
+                             : control::ObstacleTest::kCorridor;
   config.obstacle_distance_m = spec.obstacle_limit_m;
   config.controller.linear.output_limit = spec.cruise_speed_m_s;
   return config;
@@ -104,11 +105,10 @@ Session::Ending Session::Run() {
 
 StepOutput Session::Tick(Behaviour& behaviour, const std::string& step_name) {
   backend_.clock().SleepUntil(next_tick_);
-  StackState state = Read();
-  if (state.t >= next_view_) See(state, step_name);
+  const StackState state = Read();
   Deliver(state);
-  const StepOutput output =
-      times_.Measure("navigation", [&] { return behaviour.Update(state); });
+  if (state.t >= next_view_ && !pending_) See(state, step_name);
+  const StepOutput output = times_.Measure("navigation", [&] { return behaviour.Update(state); });
   Write(output);
   Record(state, output);
   next_tick_ += kControlPeriod;
@@ -126,7 +126,7 @@ StackState Session::Read() {
 }
 
 void Session::See(const StackState& state, const std::string& step_name) {
-  next_view_ += FromSeconds(1 / scenario_.vision.rate_hz);
+  next_view_ = state.t + FromSeconds(1 / scenario_.vision.rate_hz);
   const hardware::StereoFrame frame = Demand(backend_.cameras().Grab(), "grabbing a frame");
   image_hash_.Update(frame.left.bgr);
   image_hash_.Update(frame.right.bgr);
@@ -150,22 +150,22 @@ void Session::See(const StackState& state, const std::string& step_name) {
     record.depth = ScoreDepth(result.depth_m, truth.depth_m);
     book_.AddFrame(*record.depth, result.depth_m, truth, fixating_);
   }
-  const bool picture = frames_ == 0 || fixating_ ||
-                       record.t_capture - last_picture_ >= kPicturePeriod;
+  const bool picture =
+      frames_ == 0 || fixating_ || record.t_capture - last_picture_ >= kPicturePeriod;
   if (picture) {
     last_picture_ = record.t_capture;
-    writer_.AddFrame(record, MakeFrameImages(frame, result.disparity, result.depth_m,
-                                             truth.depth_m, result.regions));
+    writer_.AddFrame(record, MakeFrameImages(frame, result.disparity, result.depth_m, truth.depth_m,
+                                             result.regions));
   } else {
     writer_.AddFrame(record);
   }
   ++frames_;
-  pending_ = Pending{control::MakeSceneView(result.t_capture, std::move(result.regions),
-                                            result.points_B, {}),
-                     state.X_OB, state.t + FromSeconds(scenario_.vision.latency_s)};
+  pending_ = Pending{
+      control::MakeSceneView(result.t_capture, std::move(result.regions), result.points_B, {}),
+      state.X_OB, state.t + FromSeconds(scenario_.vision.latency_s)};
 }
 
-void Session::Deliver(StackState& state) {
+void Session::Deliver(const StackState& state) {
   if (!pending_ || state.t < pending_->due) return;
   times_.Measure("navigation view",
                  [&] { navigator_.OnView(pending_->view, pending_->X_OB_at_capture); });

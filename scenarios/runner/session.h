@@ -62,7 +62,7 @@ class Session {
   StepOutput Tick(Behaviour& behaviour, const std::string& step_name);
   StackState Read();
   void See(const StackState& state, const std::string& step_name);
-  void Deliver(StackState& state);
+  void Deliver(const StackState& state);
   void Write(const StepOutput& output);
   void Record(const StackState& state, const StepOutput& output);
   void FinishGoto(const GotoStep& step, const StepOutput& last, hardware::Time begun);

@@ -64,8 +64,7 @@ std::vector<Job> MakeJobs(const SuiteOptions& options, const fs::path& out) {
         jobs.push_back({scenario, out / fmt::format("{}-seed{}", FolderStem(scenario), seed), {}});
       }
     } catch (const ScenarioError& error) {
-      diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                         error.diagnostics().end());
+      diagnostics.insert(diagnostics.end(), error.diagnostics().begin(), error.diagnostics().end());
     }
   }
   ThrowIfAny(std::move(diagnostics));
@@ -128,8 +127,7 @@ class Pool {
     while (static_cast<int>(running_.size()) < at_once_ && next_ < jobs_.size() && !Over()) {
       Job& job = jobs_[next_++];
       if (job.finished) continue;
-      running_.push_back(
-          {&job, std::make_unique<RunProcess>(job.scenario, job.folder, deadline_)});
+      running_.push_back({&job, std::make_unique<RunProcess>(job.scenario, job.folder, deadline_)});
     }
   }
 
@@ -195,9 +193,10 @@ ExitCode Play(const SuiteOptions& options, std::ostream& out, std::ostream& err)
   std::error_code reason;
   fs::create_directories(folder, reason);
   if (reason) {
-    throw ResultsError(fmt::format("{}: cannot create the results folder ({}); name another with "
-                                   "--out",
-                                   folder.string(), reason.message()));
+    throw ResultsError(
+        fmt::format("{}: cannot create the results folder ({}); name another with "
+                    "--out",
+                    folder.string(), reason.message()));
   }
   if (options.resume) {
     for (Job& job : jobs) job.finished = EarlierRun(job);

@@ -15,9 +15,12 @@ using Row = std::array<std::string, kColumns>;
 
 std::string Mark(ExpectationOutcome outcome) {
   switch (outcome) {
-    case ExpectationOutcome::kPassed: return "pass";
-    case ExpectationOutcome::kFailed: return "FAIL";
-    case ExpectationOutcome::kNotApplicable: return "not applicable";
+    case ExpectationOutcome::kPassed:
+      return "pass";
+    case ExpectationOutcome::kFailed:
+      return "FAIL";
+    case ExpectationOutcome::kNotApplicable:
+      return "not applicable";
   }
   return "";
 }
@@ -37,7 +40,8 @@ void AddRun(const RunSummary& run, std::vector<Row>& rows) {
                     WithUnit(e.limit, e.unit), Mark(e.outcome)});
     if (!e.detail.empty()) rows.back().back() += ": " + e.detail;
   }
-  if (!run.error.empty()) rows.push_back({"", "", "", "", ToString(run.outcome) + ": " + run.error});
+  if (!run.error.empty())
+    rows.push_back({"", "", "", "", ToString(run.outcome) + ": " + run.error});
 }
 
 }  // namespace

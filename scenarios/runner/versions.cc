@@ -14,8 +14,8 @@ std::map<std::string, std::string> LibraryVersions() {
   return {{"horopter", HOROPTER_VERSION},
           {"mujoco", mj_versionString()},
           {"opencv", cv::getVersionString()},
-          {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-                                EIGEN_MINOR_VERSION)},
+          {"eigen",
+           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"bullet", fmt::format("{}.{}", BT_BULLET_VERSION / 100, BT_BULLET_VERSION % 100)},
           {"compiler", __VERSION__}};
 }

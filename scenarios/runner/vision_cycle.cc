@@ -38,8 +38,7 @@ VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
   const vision::PointField points_H = times.Measure("reconstruction", [&] {
     return reconstructor_.Reconstruct(result.disparity, angles, geometry_.baseline_m);
   });
-  result.points_B =
-      vision::Transformed(points_H, control::HeadPose(geometry_, angles.neck));
+  result.points_B = vision::Transformed(points_H, control::HeadPose(geometry_, angles.neck));
   result.depth_m = vision::DepthAlongOptical(
       result.points_B, control::EyePose(geometry_, angles, hardware::Eye::kLeft));
 

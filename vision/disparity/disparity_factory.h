@@ -14,7 +14,7 @@ namespace horopter::vision {
 ///
 /// | method | presets (the first is the default, also chosen by "") |
 /// |---|---|
-/// | "v1"  | "checked", "paper_2009" (V1Config) |
+/// | "v1"  | "checked", "cautious", "paper_2009" (V1Config) |
 /// | "dis" | "medium", "fast", "ultrafast" (DisConfig) |
 ///
 /// @throws std::invalid_argument naming the known methods, or the method's known presets.

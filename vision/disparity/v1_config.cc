@@ -74,6 +74,11 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
 V1Config V1Config::Preset(std::string_view name) {
   V1Config config;
   if (name == "checked") return config;
+  if (name == "cautious") {
+    config.noise_grey = 2;
+    config.max_kept_octaves = 0;
+    return config;
+  }
   if (name == "paper_2009") {
     config.soft_threshold = false;
     config.noise_grey = 0.3;  // of rounding to 8 bits
@@ -88,7 +93,7 @@ V1Config V1Config::Preset(std::string_view name) {
     return config;
   }
   throw std::invalid_argument("unknown v1 preset \"" + std::string(name) +
-                              "\": known are checked, paper_2009");
+                              "\": known are checked, cautious, paper_2009");
 }
 
 }  // namespace horopter::vision

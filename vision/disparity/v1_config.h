@@ -40,7 +40,7 @@ struct V1Config {
   double saturation_grey = 0.5;
   /// Deviation of the sensor's noise at full size [grey levels]; an octave halves it. 2009 has only
   /// a threshold against rounding. 1 suits a good camera's 8 bits; say more for a noisier one.
-  double noise_grey = 2;
+  double noise_grey = 1;
   /// A pixel is textureless at a scale where its mean binocular energy is below this multiple of
   /// what noise alone makes. Over a pixel's population noise deviates by about a fifth of its mean.
   double min_signal_to_noise = 2;
@@ -73,7 +73,7 @@ struct V1Config {
   int median_px = 5;
   /// Where the finest scales see nothing, a coarser estimate is kept up to this many octaves; an
   /// unconfirmed one is invalid. 2009: all.
-  int max_kept_octaves = 0;
+  int max_kept_octaves = 2;
 
   // --- Checks ---
 
@@ -92,7 +92,9 @@ struct V1Config {
   /// Every field that does not hold.
   std::vector<hardware::FieldError> Validate() const;
 
-  /// "paper_2009": the published model alone. "checked": the defaults above.
+  /// "checked": the defaults above. "cautious": what a robot may drive by, webcam noise and only
+  /// what the finest octave itself sees, at the price of density. "paper_2009": the published
+  /// model alone.
   /// @throws std::invalid_argument that lists the known names.
   static V1Config Preset(std::string_view name);
 };

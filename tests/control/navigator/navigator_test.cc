@@ -18,6 +18,13 @@ using std::chrono::milliseconds;
 
 Time At(int ms) { return Time(milliseconds(ms)); }
 
+/// One direction on each side, as in the paper.
+NavigatorConfig PaperDirections() {
+  NavigatorConfig config;
+  config.avoid_directions = 1;
+  return config;
+}
+
 TEST(Navigator, StandsStillWithoutAGoalAndWithoutAView) {
   Navigator navigator({});
   EXPECT_EQ(navigator.Update(At(0), {}).state, NavigatorState::kIdle);
@@ -44,7 +51,7 @@ TEST(Navigator, StopsWhenTheViewIsTooOldAndGoesOnWithTheNext) {
 /// The paper's rule: +-pi/10 of the heading, half the remaining distance, the freer side.
 TEST(Navigator, WaypointIsAtATenthOfPiOnTheFreerSide) {
   for (const double side : {1.0, -1.0}) {
-    Navigator navigator({});
+    Navigator navigator(PaperDirections());
     navigator.SetGoal({1.6, 0});
     const Pose2 pose{0, 0, 0.05};
     // A frontal obstacle, and another on the side that must not be chosen.
@@ -66,7 +73,7 @@ TEST(Navigator, WaypointIsAtATenthOfPiOnTheFreerSide) {
 }
 
 TEST(Navigator, ANewObstacleOverwritesTheWaypoint) {
-  Navigator navigator({});
+  Navigator navigator(PaperDirections());
   navigator.SetGoal({3, 0});
   navigator.OnView(ToyWorld({{{0.9, -0.05}, 0.12}}).View(At(0), {}, 0), {});
   const auto first = navigator.Update(At(20), {}).waypoint;
@@ -78,6 +85,27 @@ TEST(Navigator, ANewObstacleOverwritesTheWaypoint) {
   const auto second = navigator.Update(At(420), turned).waypoint;
   ASSERT_TRUE(second.has_value());
   EXPECT_NEAR(second->heading_rad, 2 * first->heading_rad, 1e-12);
+}
+
+TEST(Navigator, TakesTheFreeDirectionNearestToTheGoal) {
+  Navigator navigator({});
+  navigator.SetGoal({3, 0});
+  // A wall ahead that ends 0.5 m to the left, and 1 m to the right.
+  std::vector<Pillar> wall;
+  for (double y = -1.0; y <= 0.5; y += 0.1) wall.push_back({{0.8, y}, 0.08});
+  navigator.OnView(ToyWorld(wall).View(At(0), {}, 0), {});
+  const auto waypoint = navigator.Update(At(20), {}).waypoint;
+  ASSERT_TRUE(waypoint.has_value());
+  EXPECT_NEAR(std::remainder(waypoint->heading_rad, M_PI / 10), 0, 1e-12);
+  EXPECT_GT(waypoint->heading_rad, M_PI / 10 + 1e-9);
+  // The robot's corridor to the waypoint misses every pillar.
+  const Eigen::Vector2d along(std::cos(waypoint->heading_rad), std::sin(waypoint->heading_rad));
+  for (const Pillar& pillar : wall) {
+    const double ahead = pillar.p_O.dot(along);
+    const double beside = std::abs(pillar.p_O.x() * along.y() - pillar.p_O.y() * along.x());
+    const double reach = std::hypot(waypoint->x_m, waypoint->y_m);
+    EXPECT_TRUE(ahead > reach || beside - pillar.radius_m > 0.2) << pillar.p_O.transpose();
+  }
 }
 
 TEST(Navigator, ReturnsToTheGoalOnceTheWaypointIsReached) {

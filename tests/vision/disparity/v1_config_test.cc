@@ -15,6 +15,7 @@ namespace {
 
 TEST(V1Config, PresetsHold) {
   EXPECT_TRUE(V1Config::Preset("checked").Validate().empty());
+  EXPECT_TRUE(V1Config::Preset("cautious").Validate().empty());
   EXPECT_TRUE(V1Config::Preset("paper_2009").Validate().empty());
 }
 
@@ -35,7 +36,7 @@ TEST(V1Config, UnknownPresetNamesTheKnown) {
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("\"fast\""));
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("checked, paper_2009"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("checked, cautious, paper_2009"));
   }
 }
 
