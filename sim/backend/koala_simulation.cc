@@ -111,8 +111,8 @@ class KoalaSimulation::SimBase final : public SimDevice<hardware::MobileBase> {
     if (const auto allowed = Require("Read", true); !allowed.ok()) return allowed.error();
     const WheelPulses pulses = sim_.plant_->Encoders();
     const auto proximity = sim_.plant_->Proximity();
-    return hardware::BaseState{sim_.clock_device_->Now(), pulses.left, pulses.right,
-                               {proximity.begin(), proximity.end()}};
+    return hardware::BaseState{
+        sim_.clock_device_->Now(), pulses.left, pulses.right, {proximity.begin(), proximity.end()}};
   }
 
   Result<void> Command(const hardware::WheelSpeeds& speeds) override {

@@ -90,9 +90,10 @@ void VirtualHead::Update() {
   mjData& data = world_.mutable_data();
   for (std::optional<Axis>& axis : axes_) {
     if (!axis) continue;
+    // The servo pulls from where the joint is before the step, but is damped by the speed after it.
+    const double position_rad = axis->servo.position_rad();
     axis->servo.Advance(dt_s);
-    data.ctrl[axis->actuator] =
-        axis->servo.position_rad() + axis->lag_s * axis->servo.speed_rad_s();
+    data.ctrl[axis->actuator] = position_rad + axis->lag_s * axis->servo.speed_rad_s();
   }
 }
 
