@@ -34,6 +34,12 @@ std::string Turning(const std::string& expectation, double hold_s = 0.2) {
   return text.str();
 }
 
+SuiteOptions Options(const fs::path& input) {
+  SuiteOptions options;
+  options.inputs = {input};
+  return options;
+}
+
 class SuiteTest : public testing::Test {
  protected:
   SuiteTest() {
@@ -61,7 +67,8 @@ class SuiteTest : public testing::Test {
 };
 
 TEST_F(SuiteTest, PassingSuiteExitsWithZeroAndPrintsTableAndReport) {
-  EXPECT_EQ(Run({{Write("pass.yaml", Turning("contacts 0"))}}), ExitCode::kPassed) << err_.str();
+  EXPECT_EQ(Run(Options(Write("pass.yaml", Turning("contacts 0")))), ExitCode::kPassed)
+      << err_.str();
   EXPECT_THAT(out_.str(), HasSubstr("contacts 0"));
   EXPECT_THAT(out_.str(), HasSubstr("pass"));
   EXPECT_THAT(out_.str(), HasSubstr("report.html"));
@@ -71,7 +78,7 @@ TEST_F(SuiteTest, PassingSuiteExitsWithZeroAndPrintsTableAndReport) {
 }
 
 TEST_F(SuiteTest, FailedExpectationExitsWithOne) {
-  EXPECT_EQ(Run({{Write("fail.yaml", Turning("path_length >= 1 m"))}}),
+  EXPECT_EQ(Run(Options(Write("fail.yaml", Turning("path_length >= 1 m")))),
             ExitCode::kExpectationFailed);
   EXPECT_THAT(out_.str(), HasSubstr("FAIL"));
 }
@@ -79,7 +86,7 @@ TEST_F(SuiteTest, FailedExpectationExitsWithOne) {
 TEST_F(SuiteTest, EveryScenarioIsPlayedWithEverySeedAlsoBesideEachOther) {
   Write("a.yaml", Turning("contacts 0"));
   Write("b.yaml", Turning("contacts 0"));
-  SuiteOptions options{{root_}};
+  SuiteOptions options = Options(root_);
   options.seeds = {4, 5};
   options.jobs = 2;
   EXPECT_EQ(Run(options), ExitCode::kPassed) << err_.str();
@@ -94,33 +101,33 @@ TEST_F(SuiteTest, EveryScenarioIsPlayedWithEverySeedAlsoBesideEachOther) {
 TEST_F(SuiteTest, BadInputExitsWithTwoBeforeAnythingRuns) {
   Write("good.yaml", Turning("contacts 0"));
   Write("bad.yaml", Turning("contacts 0") + "sede: 3\n");
-  EXPECT_EQ(Run({{root_}}), ExitCode::kBadInput);
+  EXPECT_EQ(Run(Options(root_)), ExitCode::kBadInput);
   EXPECT_THAT(err_.str(), HasSubstr("bad.yaml:"));
   EXPECT_THAT(err_.str(), HasSubstr("seed"));
   EXPECT_FALSE(fs::exists(root_ / "out"));
 }
 
 TEST_F(SuiteTest, TagThatNoScenarioHasIsBadInput) {
-  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
   options.tags = {"slow"};
   EXPECT_EQ(Run(options), ExitCode::kBadInput);
 }
 
 TEST_F(SuiteTest, ResultsFolderThatCannotBeMadeExitsWithThree) {
-  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
   options.out = Write("file", "") / "out";
   EXPECT_EQ(Run(options), ExitCode::kInfrastructure);
   EXPECT_THAT(err_.str(), HasSubstr("--out"));
 }
 
 TEST_F(SuiteTest, BackendThatIsNotThereExitsWithFour) {
-  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
   options.backend = "hardware";
   EXPECT_EQ(Run(options), ExitCode::kHardwareUnavailable);
 }
 
 TEST_F(SuiteTest, ResumeKeepsRunsThatEndedAndPlaysTheOthers) {
-  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
   options.seeds = {1};
   ASSERT_EQ(Run(options), ExitCode::kPassed);
   const auto kept = ReadSuiteSummary(root_ / "out").at(0);
@@ -135,7 +142,7 @@ TEST_F(SuiteTest, ResumeKeepsRunsThatEndedAndPlaysTheOthers) {
 }
 
 TEST_F(SuiteTest, ResumePlaysAgainWhatHasChanged) {
-  SuiteOptions options{{Write("a.yaml", Turning("contacts 0"))}};
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
   ASSERT_EQ(Run(options), ExitCode::kPassed);
   Write("a.yaml", Turning("contacts 0", 0.4));
   options.resume = true;
@@ -144,7 +151,7 @@ TEST_F(SuiteTest, ResumePlaysAgainWhatHasChanged) {
 }
 
 TEST_F(SuiteTest, WallLimitLeavesTheRunIncomplete) {
-  SuiteOptions options{{Write("long.yaml", Turning("contacts 0", 500))}};
+  SuiteOptions options = Options(Write("long.yaml", Turning("contacts 0", 500)));
   options.wall_limit_s = 1;
   EXPECT_EQ(Run(options), ExitCode::kInfrastructure);
   EXPECT_EQ(ReadSuiteSummary(root_ / "out").at(0).outcome, Outcome::kIncomplete);
