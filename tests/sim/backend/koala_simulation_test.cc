@@ -24,6 +24,7 @@ using hardware::StereoFrame;
 using hardware::Time;
 using testing::HasSubstr;
 
+const auto kRoom = std::filesystem::path(HOROPTER_SOURCE_DIR) / "scenes" / "koala" / "room.xml";
 const HeadAngles kLookAround{{}, {0.5, 0.3}, {-0.4, 0.1}};
 
 bool SamePixels(const cv::Mat& a, const cv::Mat& b) {
@@ -198,7 +199,9 @@ TEST(KoalaSimulation, EachThingThatASeedVariesChangesTheImagesByItself) {
   const KoalaSimulationConfig plain = Unvaried();
   EXPECT_TRUE(SamePixels(FirstFrame(plain, 1), FirstFrame(plain, 2))) << "nothing varies";
   KoalaSimulationConfig obstacles = plain, heading = plain, textures = plain, noise = plain;
+  textures.scene = kRoom;
   obstacles.variation.obstacle_shift_m = 0.15;
+  obstacles.camera = hardware::CameraModel::FromHorizontalFov(320, 240, 60 * kDegree);
   heading.variation.heading_rad = 5 * kDegree;
   textures.variation.textures = true;
   noise.sensor = SensorProfile::Named("webcam_vga");
@@ -290,18 +293,16 @@ TEST(KoalaSimulation, BadConfigurationsNameTheirField) {
   EXPECT_THAT(ErrorOf<std::exception>(config), HasSubstr("osmessa"));
 }
 
-TEST(KoalaSimulation, PlaysTheKoalaRoom) {
+TEST(KoalaSimulation, SeesTheTexturedRoomDifferentlyWithEachEye) {
   KoalaSimulationConfig config = KoalaInYard();
-  config.scene = std::filesystem::path(HOROPTER_SOURCE_DIR) / "scenes" / "koala" / "room.xml";
+  config.scene = kRoom;
   Koala koala(config);
   const StereoFrame frame = koala.Grab();
   EXPECT_FALSE(SamePixels(frame.left.bgr, frame.right.bgr));
   for (const Eye eye : hardware::kBothEyes) {
-    const RenderedView truth = koala.sim.RenderTruth(eye);
-    EXPECT_TRUE(cv::checkRange(truth.depth)) << "the room is closed at eye level";
     cv::Scalar mean, deviation;
     cv::meanStdDev(frame[eye].bgr, mean, deviation);
-    EXPECT_GT(deviation[0], 10) << "the room has textures";
+    EXPECT_GT(deviation[0], 10) << ToString(eye);
   }
 }
 
