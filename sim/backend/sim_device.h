@@ -8,8 +8,8 @@
 
 namespace horopter::sim {
 
-/// The lifecycle that all simulated devices share (hardware/interfaces/device.h). Nothing can fail
-/// to open here, so fault is entered only by Fail().
+/// The lifecycle that all simulated devices share (hardware/interfaces/device.h). There is no link
+/// to lose here, so there is no way into fault.
 template <typename Interface>
 class SimDevice : public Interface {
  public:
