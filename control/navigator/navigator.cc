@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "control/navigator/cost_to_go.h"
+
 namespace horopter::control {
 
 using hardware::Pose2;
@@ -24,6 +26,10 @@ double DistanceTo(const Pose2& X_OB, const Eigen::Vector2d& p_O) {
 double BearingTo(const Pose2& X_OB, const Eigen::Vector2d& p_O) {
   const Eigen::Vector2d d = p_O - Position(X_OB);
   return hardware::WrapAngle(std::atan2(d.y(), d.x()) - X_OB.heading_rad);
+}
+
+Eigen::Vector2d AtBearing(double bearing_rad, double distance_m) {
+  return {distance_m * std::cos(bearing_rad), distance_m * std::sin(bearing_rad)};
 }
 
 Strip Other(Strip side) { return side == Strip::kLeft ? Strip::kRight : Strip::kLeft; }
@@ -152,6 +158,9 @@ Navigator::Detour Navigator::ChooseDetour(const StripMeasurements& seen, const P
 
   const auto points_B = memory_.PointsInBase(X_OB);
   const double goal_bearing = BearingTo(X_OB, *p_OG_);
+  const double goal_distance = DistanceTo(X_OB, *p_OG_);
+  const CostToGo cost_to_go(points_B, {0, 0}, AtBearing(goal_bearing, goal_distance),
+                            {.clearance_m = config_.strips.corridor_half_width_m});
   const double needed = distance_m + config_.strips.corridor_half_width_m;
   double best_cost = std::numeric_limits<double>::infinity();
   for (int k = 1; k <= config_.avoid_directions; ++k) {
@@ -159,8 +168,8 @@ Navigator::Detour Navigator::ChooseDetour(const StripMeasurements& seen, const P
       const double turn = (side == Strip::kLeft ? k : -k) * config_.avoid_angle_rad;
       if (MeasurePoints(points_B, turn, config_.strips).near_m(Strip::kCentre) < needed) continue;
       const bool leaves_side = side_ && side != *side_;
-      const double cost = std::abs(hardware::WrapAngle(turn - goal_bearing)) +
-                          (leaves_side ? config_.avoid_other_side_rad : 0);
+      const double cost = cost_to_go.From(AtBearing(turn, distance_m)) +
+                          (leaves_side ? config_.avoid_other_side_m : 0);
       if (cost >= best_cost) continue;
       best = {side, turn};
       best_cost = cost;

@@ -56,7 +56,8 @@ struct NavigatorDecision {
 /// - Stop distance: never forward into something near ahead; only turning is left, and the next
 ///   view moves the waypoint on to the freer side.
 /// - Free direction: where a waypoint at +-pi/10 has something in the way to it, the next multiples
-///   of that angle are tried; of the free ones the nearest to the goal's direction is taken.
+///   of that angle are tried; of the free ones the one is taken from which the way to the goal,
+///   through what is known, is the shortest (CostToGo).
 /// - Side hold: the side is changed only for a clearly freer one, so that the robot does not
 /// dither.
 /// - Blind: no motion before the first view or with one that is too old.

@@ -61,7 +61,7 @@ std::vector<hardware::FieldError> NavigatorConfig::Validate() const {
   check.Require(avoid_directions >= 1 && avoid_directions * avoid_angle_rad <= M_PI,
                 "avoid_directions", avoid_directions,
                 "must be at least 1, and times avoid_angle_rad at most pi");
-  check.NotNegative("avoid_other_side_rad", avoid_other_side_rad);
+  check.NotNegative("avoid_other_side_m", avoid_other_side_m);
   check.Positive("gaze_min_m", gaze_min_m);
   check.Require(gaze_max_m >= gaze_min_m, "gaze_max_m", gaze_max_m, "must be at least gaze_min_m");
   check.Require(std::isfinite(gaze_height_m), "gaze_height_m", gaze_height_m, "must be finite");

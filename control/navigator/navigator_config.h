@@ -31,14 +31,14 @@ struct NavigatorConfig {
 
   int avoid_directions = 8;  ///< multiples of avoid_angle_rad tried on each side for one that
                              ///< is free; 1: the paper's alone
-  double avoid_other_side_rad = 0.6;  ///< by how much nearer the goal's direction a way on the
-                                      ///< other side must be for a held side to be left
-  double stop_distance_m = 0.42;      ///< no forward motion with something in the corridor ahead
-  double slow_distance_m = 0.70;      ///< from here to stop_distance_m the speed falls
-  double max_view_age_s = 1.0;        ///< with an older view, or none, the robot stands still
-  double side_switch_ratio = 1.5;     ///< a held side is left only for one so many times freer
-  double side_hold_m = 0.6;   ///< a side is held until so far driven since the last waypoint
-  double stuck_after_s = 40;  ///< without getting nearer the goal by stuck_progress_m
+  double avoid_other_side_m = 0.3;  ///< by how much shorter the way on the other side must be for
+                                    ///< a held side to be left
+  double stop_distance_m = 0.42;    ///< no forward motion with something in the corridor ahead
+  double slow_distance_m = 0.70;    ///< from here to stop_distance_m the speed falls
+  double max_view_age_s = 1.0;      ///< with an older view, or none, the robot stands still
+  double side_switch_ratio = 1.5;   ///< a held side is left only for one so many times freer
+  double side_hold_m = 0.6;         ///< a side is held until so far driven since the last waypoint
+  double stuck_after_s = 40;        ///< without getting nearer the goal by stuck_progress_m
   double stuck_progress_m = 0.05;
   ObstacleMemoryConfig memory;
 

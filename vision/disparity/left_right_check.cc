@@ -31,15 +31,19 @@ void CheckLeftRight(const DisparityField& right_to_left, double max_distance_px,
   }
 }
 
-void InvalidateOutside(DisparityField& field) {
-  const auto right = static_cast<float>(field.valid.cols - 1);
-  const auto bottom = static_cast<float>(field.valid.rows - 1);
+void InvalidateOutside(DisparityField& field, int border_px) {
+  const auto border = static_cast<float>(border_px);
+  const float right = static_cast<float>(field.valid.cols - 1) - border;
+  const float bottom = static_cast<float>(field.valid.rows - 1) - border;
+  const auto inside = [&](float x, float y) {
+    return x >= border && y >= border && x <= right && y <= bottom;
+  };
   for (int y = 0; y < field.valid.rows; ++y) {
     for (int x = 0; x < field.valid.cols; ++x) {
-      const float match_x = static_cast<float>(x) + field.dx(y, x);
-      const float match_y = static_cast<float>(y) + field.dy(y, x);
-      const bool inside = match_x >= 0 && match_y >= 0 && match_x <= right && match_y <= bottom;
-      if (!inside) field.valid(y, x) = 0;
+      const auto from_x = static_cast<float>(x), from_y = static_cast<float>(y);
+      const bool both =
+          inside(from_x, from_y) && inside(from_x + field.dx(y, x), from_y + field.dy(y, x));
+      if (!both) field.valid(y, x) = 0;
     }
   }
 }

@@ -12,8 +12,9 @@ namespace horopter::vision {
 void CheckLeftRight(const DisparityField& right_to_left, double max_distance_px,
                     DisparityField& left_to_right);
 
-/// Clears `valid` wherever a pixel's match lies outside the right image.
-void InvalidateOutside(DisparityField& field);
+/// Clears `valid` wherever a pixel's match lies outside the right image, and wherever the pixel or
+/// its match is less than `border_px` from its image's border.
+void InvalidateOutside(DisparityField& field, int border_px = 0);
 
 /// Writes NaN into dx and dy, and 0 into the confidence, wherever `valid` is 0.
 void BlankInvalid(DisparityField& field);

@@ -65,6 +65,7 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
   c.Require(min_correlation >= -1 && min_correlation < 1, "min_correlation", min_correlation,
             "must be in [-1, 1)");
   c.Require(NotNegative(left_right_px), "left_right_px", left_right_px, "must not be negative");
+  c.Require(border_px >= 0, "border_px", border_px, "must not be negative");
   c.Require(min_segment_px >= 0, "min_segment_px", min_segment_px, "must not be negative");
   c.Require(NotNegative(segment_step_px), "segment_step_px", segment_step_px,
             "must not be negative");
@@ -77,6 +78,7 @@ V1Config V1Config::Preset(std::string_view name) {
   if (name == "cautious") {
     config.noise_grey = 2;
     config.max_kept_octaves = 0;
+    config.border_px = 16;
     return config;
   }
   if (name == "paper_2009") {

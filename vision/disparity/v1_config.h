@@ -83,6 +83,9 @@ struct V1Config {
   /// Largest distance between a pixel and where its match in the right image points back to [px];
   /// 0 = no check (2009). It finds occlusions and most false matches, at twice the time.
   double left_right_px = 1;
+  /// Pixels this close to the border of either image are invalid [px]: the receptive fields of
+  /// their coarser octaves see mostly the repeated border. 0 = none (2009).
+  int border_px = 0;
   /// Smallest segment of smooth disparity that is kept [px]; 0 = any (2009). It finds the islands
   /// of false matches that plain surfaces and unreachable disparities leave.
   int min_segment_px = 200;

@@ -87,7 +87,7 @@ DisparityField V1EnergyEstimator::CoarseToFine(const CellPyramid& from,
     }
   }
   cv::threshold(field.valid, field.valid, 0, 255, cv::THRESH_BINARY);
-  InvalidateOutside(field);
+  InvalidateOutside(field, config_.border_px);
   return field;
 }
 

@@ -48,9 +48,9 @@ class Estimators : public ::testing::TestWithParam<Choice> {
 };
 
 INSTANTIATE_TEST_SUITE_P(AllMethods, Estimators,
-                         ::testing::Values(Choice("v1", "checked"), Choice("v1", "paper_2009"),
-                                           Choice("dis", "medium"), Choice("dis", "fast"),
-                                           Choice("dis", "ultrafast")),
+                         ::testing::Values(Choice("v1", "checked"), Choice("v1", "cautious"),
+                                           Choice("v1", "paper_2009"), Choice("dis", "medium"),
+                                           Choice("dis", "fast"), Choice("dis", "ultrafast")),
                          [](const auto& instance) {
                            return std::string(instance.param.first) + "_" + instance.param.second;
                          });
@@ -150,7 +150,7 @@ TEST(DisparityFactory, UnknownNamesListTheKnown) {
     return "";
   };
   EXPECT_EQ(complaint("sgbm", ""), "unknown disparity method \"sgbm\": known are dis, v1");
-  EXPECT_THAT(complaint("v1", "best"), ::testing::HasSubstr("checked, paper_2009"));
+  EXPECT_THAT(complaint("v1", "best"), ::testing::HasSubstr("checked, cautious, paper_2009"));
   EXPECT_THAT(complaint("dis", "slow"), ::testing::HasSubstr("medium, fast, ultrafast"));
 }
 

@@ -43,6 +43,17 @@ TEST(InvalidateOutside, KeepsMatchesUpToTheLastPixelCentre) {
   EXPECT_EQ(field.valid(1, 3), 0);
 }
 
+TEST(InvalidateOutside, BorderCountsInBothImages) {
+  DisparityField field = Uniform({20, 10}, 2, 0);
+  InvalidateOutside(field, 3);
+  EXPECT_EQ(field.valid(5, 2), 0);  // too near to the left image's border
+  EXPECT_EQ(field.valid(5, 3), 255);
+  EXPECT_EQ(field.valid(5, 14), 255);
+  EXPECT_EQ(field.valid(5, 15), 0);  // its match is too near to the right image's
+  EXPECT_EQ(field.valid(2, 8), 0);
+  EXPECT_EQ(field.valid(7, 8), 0);
+}
+
 TEST(BlankInvalid, WritesNaNExactlyWhereInvalid) {
   DisparityField field = Uniform({4, 4}, 1, 2);
   field.valid(1, 2) = 0;
