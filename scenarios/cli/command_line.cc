@@ -93,9 +93,9 @@ int RunCommandLine(int argc, const char* const* argv) {
   app.set_version_flag("--version", std::string("horopter ") + HOROPTER_VERSION);
   app.footer(kFooter);
   app.require_subcommand(0, 1);
-  const std::vector<Command> commands = {AddRunCommand(app),      AddListCommand(app),
-                                         AddValidateCommand(app), AddCompareCommand(app),
-                                         AddDoctorCommand(app),   AddSchemaCommand(app)};
+  const std::vector<Command> commands = {
+      AddRunCommand(app),    AddListCommand(app),   AddValidateCommand(app), AddCompareCommand(app),
+      AddDoctorCommand(app), AddSchemaCommand(app), AddTimingCommand(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -22,5 +22,6 @@ Command AddValidateCommand(CLI::App& parent);
 Command AddCompareCommand(CLI::App& parent);
 Command AddDoctorCommand(CLI::App& parent);
 Command AddSchemaCommand(CLI::App& parent);
+Command AddTimingCommand(CLI::App& parent);
 
 }  // namespace horopter::scenarios

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "scenarios/results/results_error.h"
 #include "scenarios/results/statistics.h"
 
 namespace horopter::scenarios {
@@ -33,7 +34,13 @@ std::string Title(const RunSummary& run) {
 
 std::map<RunKey, const RunSummary*> ByKey(const std::vector<RunSummary>& runs) {
   std::map<RunKey, const RunSummary*> map;
-  for (const RunSummary& run : runs) map[{run.scenario, run.backend, run.seed}] = &run;
+  for (const RunSummary& run : runs) {
+    const auto [same, fresh] = map.emplace(RunKey{run.scenario, run.backend, run.seed}, &run);
+    if (fresh) continue;
+    throw ResultsError(fmt::format(
+        "two runs are both '{}', {} and {}: give one scenario another `name:` and play it again",
+        Title(run), same->second->directory, run.directory));
+  }
   return map;
 }
 
@@ -61,26 +68,39 @@ Verdict Judge(double worsening, double noise) {
   return worsening > 0 ? Verdict::kWorse : Verdict::kBetter;
 }
 
-void CompareOutcomes(const RunPair& pair, std::vector<OutcomeChange>& changes) {
+void CompareOutcomes(const RunPair& pair, SuiteComparison& comparison) {
   const auto& [before, after] = pair;
   if (before->outcome != after->outcome) {
     const bool worse = before->outcome == Outcome::kPassed;
     const bool better = after->outcome == Outcome::kPassed;
-    changes.push_back({Title(*after), "", ToString(before->outcome), ToString(after->outcome),
-                       worse    ? Verdict::kWorse
-                       : better ? Verdict::kBetter
-                                : Verdict::kSame});
+    comparison.outcomes.push_back({Title(*after), "", ToString(before->outcome),
+                                   ToString(after->outcome),
+                                   worse    ? Verdict::kWorse
+                                   : better ? Verdict::kBetter
+                                            : Verdict::kSame});
   }
   for (const ExpectationResult& was : before->expectations) {
     const auto is = std::find_if(after->expectations.begin(), after->expectations.end(),
                                  [&was](const auto& e) { return e.name == was.name; });
-    if (is == after->expectations.end() || is->outcome == was.outcome) continue;
+    if (is == after->expectations.end()) {
+      comparison.missing.push_back(fmt::format("{}: expectation '{}'", Title(*after), was.name));
+      continue;
+    }
+    if (is->outcome == was.outcome) continue;
     const bool worse = was.outcome == ExpectationOutcome::kPassed;
     const bool better = is->outcome == ExpectationOutcome::kPassed;
-    changes.push_back({Title(*after), was.name, ToString(was.outcome), ToString(is->outcome),
-                       worse    ? Verdict::kWorse
-                       : better ? Verdict::kBetter
-                                : Verdict::kSame});
+    comparison.outcomes.push_back({Title(*after), was.name, ToString(was.outcome),
+                                   ToString(is->outcome),
+                                   worse    ? Verdict::kWorse
+                                   : better ? Verdict::kBetter
+                                            : Verdict::kSame});
+  }
+}
+
+void ListMissingMetrics(const RunPair& pair, SuiteComparison& comparison) {
+  for (const auto& [metric, value] : pair.first->metrics) {
+    if (pair.second->metrics.count(metric) > 0) continue;
+    comparison.missing.push_back(fmt::format("{}: metric {}", Title(*pair.second), metric));
   }
 }
 
@@ -124,10 +144,12 @@ std::optional<TimingChange> CompareStage(const std::string& stage,
     const auto was = before->timing_ms.find(stage);
     const auto is = after->timing_ms.find(stage);
     if (was == before->timing_ms.end() || is == after->timing_ms.end()) continue;
-    if (was->second.median_ms <= 0 || is->second.median_ms <= 0) continue;
-    olds.push_back(was->second.median_ms);
-    news.push_back(is->second.median_ms);
-    logs.push_back(std::log(is->second.median_ms / was->second.median_ms));
+    const double was_ms = was->second.median_ms.value_or(0);
+    const double is_ms = is->second.median_ms.value_or(0);
+    if (was_ms <= 0 || is_ms <= 0) continue;
+    olds.push_back(was_ms);
+    news.push_back(is_ms);
+    logs.push_back(std::log(is_ms / was_ms));
   }
   if (olds.empty()) return std::nullopt;
   TimingChange change;
@@ -203,7 +225,8 @@ SuiteComparison Compare(const std::vector<RunSummary>& before,
       continue;
     }
     ++comparison.pairs;
-    CompareOutcomes({run, match->second}, comparison.outcomes);
+    CompareOutcomes({run, match->second}, comparison);
+    ListMissingMetrics({run, match->second}, comparison);
     groups[{run->scenario, run->backend}].emplace_back(run, match->second);
   }
   for (const auto& [key, run] : news) {

@@ -50,7 +50,8 @@ struct TimingChange {
 
 struct SuiteComparison {
   int pairs = 0;                     ///< runs that both sides have
-  std::vector<std::string> missing;  ///< runs that only the old side has
+  std::vector<std::string> missing;  ///< runs, and in them expectations and metrics, that only the
+                                     ///< old side has
   std::vector<std::string> added;    ///< runs that only the new side has
   std::vector<OutcomeChange> outcomes;
   std::vector<MetricChange> metrics;
@@ -69,6 +70,7 @@ struct SuiteComparison {
 /// the old value and 1 mm, 0.01 deg, 0.05 s or 0.001. Below three pairs the spread is unknown and
 /// the floor is 10 % of the old value. Counts have no noise. Timings are ratios, on a logarithmic
 /// scale, with a floor of 25 % and 0.5 ms: other load on the machine is no regression.
+/// @throws ResultsError when two runs of one side share scenario, seed and backend
 SuiteComparison Compare(const std::vector<RunSummary>& before,
                         const std::vector<RunSummary>& after);
 

@@ -20,28 +20,29 @@ struct CompareArguments {
   std::string before;
   std::string after;
   bool timings = false;
+  bool allow_missing = false;
   bool all = false;
 };
 
 int CompareFolders(const CompareArguments& a) {
-  std::vector<RunSummary> before;
-  std::vector<RunSummary> after;
+  SuiteComparison comparison;
   try {
-    before = ReadSuiteSummary(a.before);
-    after = ReadSuiteSummary(a.after);
+    comparison = Compare(ReadSuiteSummary(a.before), ReadSuiteSummary(a.after));
   } catch (const ResultsError& error) {
     std::cerr << "horopter compare: " << error.what() << "\n";
     return static_cast<int>(ExitCode::kBadInput);
   }
-  const SuiteComparison comparison = Compare(before, after);
   std::cout << CompareTable(comparison, a.all);
   if (comparison.pairs == 0) {
     std::cerr << "horopter compare: the folders have no run in common (scenario, seed and backend "
                  "must agree)\n";
     return static_cast<int>(ExitCode::kBadInput);
   }
-  const bool regressed =
-      comparison.OutcomesOrMetricsRegressed() || (a.timings && comparison.TimingsRegressed());
+  const bool lost = !a.allow_missing && !comparison.missing.empty();
+  const bool regressed = comparison.OutcomesOrMetricsRegressed() || lost ||
+                         (a.timings && comparison.TimingsRegressed());
+  if (lost)
+    std::cout << "What only the old results have counts as lost; --allow-missing lets it.\n";
   std::cout << (regressed ? "Regressed.\n" : "No regression.\n");
   return static_cast<int>(regressed ? ExitCode::kExpectationFailed : ExitCode::kPassed);
 }
@@ -56,6 +57,8 @@ Command AddCompareCommand(CLI::App& parent) {
   app->add_option("OLD", a->before, "Results folder to compare with")->required();
   app->add_option("NEW", a->after, "Results folder to judge")->required();
   app->add_flag("--timings", a->timings, "A stage that became slower is a regression too");
+  app->add_flag("--allow-missing", a->allow_missing,
+                "Runs, expectations and metrics that NEW lacks are no regression");
   app->add_flag("--all", a->all, "List what did not change, too");
   app->footer("\nExample:\n  horopter compare results/main results/branch --timings");
   return {app, [a] { return CompareFolders(*a); }};

@@ -34,6 +34,7 @@ struct RunArguments {
 SuiteOptions ToOptions(const RunArguments& a) {
   SuiteOptions options;
   options.inputs.assign(a.inputs.begin(), a.inputs.end());
+  if (options.inputs.empty()) options.inputs.emplace_back(HOROPTER_SCENARIOS_DIR);
   if (!a.backend.empty()) options.backend = a.backend;
   if (!a.seed.empty()) {
     options.seeds = ParseSeeds(a.seed);
@@ -74,7 +75,7 @@ Command AddRunCommand(CLI::App& parent) {
   CLI::App* app = parent.add_subcommand("run", "Play scenarios and judge them");
   // Shared by CLI11, which writes into it while parsing, and the closure that runs afterwards.
   const auto a = std::make_shared<RunArguments>();
-  app->add_option("INPUT", a->inputs, "Scenario files, and folders of them")->required();
+  app->add_option("INPUT", a->inputs, "Scenario files, and folders of them [the shipped ones]");
   app->add_option("--backend", a->backend, "sim, emulated, hardware or replay, for all scenarios");
   auto* seed = app->add_option("--seed", a->seed, "Seed instead of each scenario's own");
   app->add_option("--seeds", a->seeds, "Several: 1-20 or 1,3,5-7")->excludes(seed);

@@ -31,11 +31,13 @@ std::vector<Metric> MakeMetrics() {
   std::vector<Metric> m;
   m.push_back({.name = "reached",
                .unit = "m",
-               .doc = "distance of the base from the last goal at the end, by truth",
+               .doc = "true distance of the base from its goal at the end of a goto step, the "
+                      "largest over the steps that were begun",
                .needs = MetricNeeds::kGoal});
   m.push_back({.name = "time_to_goal",
                .unit = "s",
-               .doc = "simulated time until the last goal was reached, by the robot's own account",
+               .doc = "simulated time that the goto steps took together; nothing unless every one "
+                      "arrived, by the robot's own account",
                .needs_truth = false,
                .needs = MetricNeeds::kGoal});
   m.push_back({.name = "contacts",
@@ -78,11 +80,6 @@ std::vector<Metric> MakeMetrics() {
              .doc = "angle between an eye's optical axis and the true direction of its target",
              .needs = MetricNeeds::kFixation},
             {"mean", "median", "p95", "max"});
-  m.push_back({.name = "deadline_misses",
-               .unit = "",
-               .doc = "vision cycles that were not done when their result was due",
-               .needs_truth = false,
-               .whole = true});
   return m;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <regex>
 
+#include "control/kinematics/fixate.h"
 #include "scenarios/format/metric_registry.h"
 #include "scenarios/format/robot_description.h"
 #include "scenarios/format/scenes.h"
@@ -95,15 +96,19 @@ Reach TiltReach(const hardware::HeadLimits& limits) {
 
 /// Why the head, at the start, cannot look at a point of the base frame; "" when it can.
 std::string WhyOutOfSight(const Eigen::Vector3d& p_B, const RobotDescription& robot) {
-  const Eigen::Vector3d p_N = robot.head_geometry.X_BN.inverse() * p_B;
-  const double pan = std::atan2(p_N.y(), p_N.x());
-  const Reach reach = PanReach(robot.head_limits);
-  if (pan >= reach.min_rad && pan <= reach.max_rad) return "";
-  return fmt::format(
-      "{}: looking there takes a pan of {:.0f} deg, the head's range is {:.0f} to {:.0f} deg{}",
-      p_B.x() <= 0 ? "target is behind the robot" : "target is out of the head's reach",
-      pan * kDegPerRad, reach.min_rad * kDegPerRad, reach.max_rad * kDegPerRad,
-      p_B.x() <= 0 ? "; give it x_m > 0" : "");
+  const control::Fixation fixation =
+      control::Fixate(robot.head_geometry, robot.head_limits, {}, p_B);
+  switch (fixation.fault) {
+    case control::FixationFault::kNone:
+      return "";
+    case control::FixationFault::kBehind:
+      return fmt::format(
+          "target is behind the robot: its head is at x = {:.3g} m; give it a larger "
+          "x_m",
+          robot.head_geometry.X_BN.translation().x());
+    default:
+      return "target is out of the head's reach: " + fixation.why;
+  }
 }
 
 std::string WhyNoSaccade(const SaccadeStep& step, const RobotDescription& robot) {
@@ -147,11 +152,10 @@ void CheckSteps(const Scenario& scenario, const std::optional<RobotDescription>&
   }
 }
 
-template <typename... Actions>
+template <typename Action>
 bool HasStep(const Scenario& scenario) {
-  return std::any_of(scenario.steps.begin(), scenario.steps.end(), [](const Step& step) {
-    return (std::holds_alternative<Actions>(step.action) || ...);
-  });
+  return std::any_of(scenario.steps.begin(), scenario.steps.end(),
+                     [](const Step& step) { return std::holds_alternative<Action>(step.action); });
 }
 
 void CheckExpectations(const Scenario& scenario, ParseReport& report) {
@@ -163,10 +167,10 @@ void CheckExpectations(const Scenario& scenario, ParseReport& report) {
                                        "' judges a goal, but no step is a "
                                        "goto: add one or drop the expectation");
     }
-    if (metric->needs == MetricNeeds::kFixation && !HasStep<FixateStep, GotoStep>(scenario)) {
+    if (metric->needs == MetricNeeds::kFixation && !HasStep<FixateStep>(scenario)) {
       report.Add(expectation.mark, "'" + expectation.text +
                                        "' judges a fixation, but no step is "
-                                       "a fixate or a goto: add one or drop the expectation");
+                                       "a fixate: add one or drop the expectation");
     }
   }
 }

@@ -77,7 +77,7 @@ void Visit(FieldVisitor& v, VisionSpec& s) {
 
 void Visit(FieldVisitor& v, NavigationSpec& s) {
   v.Choice({"obstacle_test", "",
-            "Where a near region is an obstacle: in the central third of the "
+            "Where a near region is an obstacle: in the central part of the "
             "image (the paper's rule), or in the way of the robot's width."},
            {"central_image", "corridor"}, s.obstacle_test);
   v.Number({"obstacle_limit_m", "m", "What is nearer than this is avoided."}, {0, 10, true},

@@ -31,9 +31,10 @@ struct ExpectationResult {
   std::string detail;  ///< one sentence when it did not pass
 };
 
+/// What the passes through one stage took. Times are absent for a stage that never ran.
 struct StageTiming {
-  double median_ms = 0;
-  double p95_ms = 0;
+  std::optional<double> median_ms;
+  std::optional<double> p95_ms;
   int n = 0;
 };
 

@@ -151,14 +151,18 @@ std::string OverTime(const RunReport& report) {
   return "<section class=\"card\"><h2>Over the run</h2>\n" + svg + "</section>\n";
 }
 
+std::string NumberOrDash(std::optional<double> value) {
+  return value ? ShortNumber(*value) : "\u2013";
+}
+
 std::string TimingRow(const std::string& stage, const StageTiming& timing, double longest_ms) {
   const double scale = longest_ms > 0 ? 100 / longest_ms : 0;
   return fmt::format(
       "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
       "<td class=\"number\">{}</td><td aria-hidden=\"true\"><div class=\"bar\" "
       "style=\"width:{:.1f}%\"></div><div class=\"bar\" style=\"width:{:.1f}%\"></div></td></tr>\n",
-      EscapeHtml(stage), ShortNumber(timing.median_ms), ShortNumber(timing.p95_ms), timing.n,
-      timing.median_ms * scale, timing.p95_ms * scale);
+      EscapeHtml(stage), NumberOrDash(timing.median_ms), NumberOrDash(timing.p95_ms), timing.n,
+      timing.median_ms.value_or(0) * scale, timing.p95_ms.value_or(0) * scale);
 }
 
 std::string Timing(const RunSummary& run) {
@@ -168,7 +172,7 @@ std::string Timing(const RunSummary& run) {
   }
   double longest_ms = 0;
   for (const auto& [stage, timing] : run.timing_ms) {
-    longest_ms = std::max({longest_ms, timing.median_ms, timing.p95_ms});
+    longest_ms = std::max({longest_ms, timing.median_ms.value_or(0), timing.p95_ms.value_or(0)});
   }
   html +=
       "<div class=\"scroll\"><table><thead><tr><th>stage</th><th class=\"number\">median ms</th>"

@@ -27,7 +27,7 @@ std::vector<RunSummary> ReadSuiteSummary(const fs::path& folder_or_file) {
   try {
     std::vector<RunSummary> runs = ParseSummaryText(text);
     for (RunSummary& run : runs) {
-      if (run.directory.empty()) run.directory = ".";
+      if (run.directory.empty()) run.directory.push_back('.');
     }
     return runs;
   } catch (const ResultsError& error) {

@@ -29,10 +29,7 @@ Json ToJson(const ExpectationResult& expectation) {
 }
 
 Json ToJson(const StageTiming& timing) {
-  const bool ran = timing.n > 0;
-  return {{"median", ran ? OrNull(timing.median_ms) : Json(nullptr)},
-          {"p95", ran ? OrNull(timing.p95_ms) : Json(nullptr)},
-          {"n", timing.n}};
+  return {{"median", OrNull(timing.median_ms)}, {"p95", OrNull(timing.p95_ms)}, {"n", timing.n}};
 }
 
 Json ToJson(const hardware::Pose2& pose) {
@@ -174,8 +171,7 @@ class RunReader {
     std::map<std::string, StageTiming> timing;
     for (const auto& [stage, value] : Object("timing_ms").items()) {
       const RunReader reader(value, place_ + (place_.empty() ? "" : ".") + "timing_ms." + stage);
-      timing[stage] = {reader.Number(value, "median").value_or(0),
-                       reader.Number(value, "p95").value_or(0),
+      timing[stage] = {reader.Number(value, "median"), reader.Number(value, "p95"),
                        reader.Required<int>(value, "n", "an integer")};
     }
     return timing;

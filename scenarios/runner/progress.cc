@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace horopter::scenarios {
 namespace {
@@ -15,17 +15,36 @@ constexpr std::chrono::seconds kLogPeriod(15);
 
 }  // namespace
 
+std::string TimeLeft(double elapsed_s, double done_sim_s, double total_sim_s) {
+  if (done_sim_s < 1) return "";
+  const double left_s = elapsed_s * (total_sim_s - done_sim_s) / done_sim_s;
+  const long whole_s = std::lround(std::ceil(left_s));
+  return whole_s < 60 ? fmt::format("about {} s left", whole_s)
+                      : fmt::format("about {} min {} s left", whole_s / 60, whole_s % 60);
+}
+
 Progress::Progress(std::ostream& out, bool terminal)
     : out_(out), terminal_(terminal), next_(start_ + (terminal ? kTerminalPeriod : kLogPeriod)) {}
 
-std::string Progress::TimeLeft(const State& state) const {
-  if (state.done_sim_s < 1) return "";
-  const double elapsed_s = std::chrono::duration<double>(WallClock::now() - start_).count();
-  const double left_s = elapsed_s * (state.total_sim_s - state.done_sim_s) / state.done_sim_s;
-  const int minutes = static_cast<int>(left_s / 60);
-  const int seconds = static_cast<int>(std::ceil(left_s - 60 * minutes));
-  return minutes > 0 ? fmt::format("at most {} min {} s left", minutes, seconds)
-                     : fmt::format("at most {} s left", seconds);
+void Progress::State::AddKept() {
+  ++runs;
+  ++done_runs;
+}
+
+void Progress::State::AddEnded(const RunSummary& run) {
+  AddKept();
+  done_sim_s += run.sim_s.value_or(0);
+  total_sim_s += run.sim_s.value_or(0);
+}
+
+void Progress::State::AddWaiting(double time_limit_s) {
+  ++runs;
+  total_sim_s += time_limit_s;
+}
+
+void Progress::State::AddUnderWay(double sim_s, std::string what) {
+  done_sim_s += sim_s;
+  doing.push_back(std::move(what));
 }
 
 void Progress::Show(const State& state) {
@@ -33,9 +52,11 @@ void Progress::Show(const State& state) {
   if (now < next_) return;
   next_ = now + (terminal_ ? std::chrono::milliseconds(kTerminalPeriod)
                            : std::chrono::milliseconds(kLogPeriod));
+  const double elapsed_s = std::chrono::duration<double>(now - start_).count();
+  const std::string left = TimeLeft(elapsed_s, state.done_sim_s, state.total_sim_s);
   const std::string line =
       fmt::format("[{}/{}] {}{}{}", state.done_runs, state.runs, fmt::join(state.doing, "; "),
-                  state.done_sim_s < 1 ? "" : ", ", TimeLeft(state));
+                  left.empty() ? "" : ", ", left);
   if (terminal_) {
     constexpr std::size_t kColumns = 118;
     out_ << "\r\033[K" << line.substr(0, kColumns) << std::flush;

@@ -10,16 +10,26 @@
 
 namespace horopter::scenarios {
 
+/// "about 2 min 5 s left", at the pace so far; "" while there is no pace yet.
+std::string TimeLeft(double elapsed_s, double done_sim_s, double total_sim_s);
+
 /// The progress line of a suite. On a terminal one line that is written over; otherwise a line now
 /// and then, so that a log stays short.
 class Progress {
  public:
+  /// Where the suite is, run by run. Simulated time stands for work: a run that has ended counts
+  /// with what it took, one that has not with its time limit.
   struct State {
     double done_sim_s = 0;
-    double total_sim_s = 0;  ///< by the scenarios' time limits: most runs need less
+    double total_sim_s = 0;
     int done_runs = 0;
     int runs = 0;
     std::vector<std::string> doing;  ///< one for each run under way
+
+    void AddKept();  ///< of an earlier suite (--resume): no work of this one
+    void AddEnded(const RunSummary& run);
+    void AddWaiting(double time_limit_s);
+    void AddUnderWay(double sim_s, std::string what);  ///< a waiting one that has begun
   };
 
   Progress(std::ostream& out, bool terminal);
@@ -32,8 +42,6 @@ class Progress {
 
  private:
   using WallClock = std::chrono::steady_clock;
-
-  std::string TimeLeft(const State& state) const;
 
   std::ostream& out_;
   bool terminal_;

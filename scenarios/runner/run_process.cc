@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include "scenarios/results/results_error.h"
 #include "scenarios/results/suite.h"
@@ -56,10 +57,22 @@ ExitCode Play(const Scenario& scenario, const std::filesystem::path& folder, int
 
 std::string HowItDied(int status) {
   if (WIFSIGNALED(status)) {
-    return fmt::format("the run's process was ended by signal {} ({})", WTERMSIG(status),
-                       strsignal(WTERMSIG(status)));
+    return fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
   }
   return fmt::format("the run's process exited with {} and left no summary", WEXITSTATUS(status));
+}
+
+/// The run's summary as its folder has it; nothing when that cannot be read.
+std::optional<RunSummary> SummaryIn(const std::filesystem::path& folder) {
+  try {
+    const std::vector<RunSummary> runs = ReadSuiteSummary(folder);
+    if (runs.size() != 1) return std::nullopt;
+    RunSummary summary = runs.front();
+    summary.directory = folder.filename().string();
+    return summary;
+  } catch (const ResultsError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -145,17 +158,15 @@ FinishedRun RunProcess::Finish() const {
     run.summary.error = failure_;
     return run;
   }
-  if (!WIFEXITED(status_)) {
-    run.summary.error = HowItDied(status_);
+  const std::optional<RunSummary> left = SummaryIn(folder_);
+  if (left && WIFEXITED(status_)) {
+    run.summary = *left;
+    run.exit_code = static_cast<ExitCode>(WEXITSTATUS(status_));
     return run;
   }
-  try {
-    run.summary = ReadSuiteSummary(folder_).at(0);
-    run.summary.directory = folder_.filename().string();
-    run.exit_code = static_cast<ExitCode>(WEXITSTATUS(status_));
-  } catch (const ResultsError&) {
-    run.summary.error = HowItDied(status_);
-  }
+  // A run that was killed is as incomplete in the suite as its own folder says.
+  if (left && left->outcome == Outcome::kIncomplete) run.summary = *left;
+  run.summary.error = HowItDied(status_);
   return run;
 }
 

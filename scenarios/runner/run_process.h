@@ -45,7 +45,8 @@ class RunProcess {
   double sim_s() const { return sim_s_; }
   const std::string& doing() const { return doing_; }
 
-  /// What came of it. A child that died without a word gives an error that says how.
+  /// What came of it. A child that was ended by a signal gives an incomplete run, one that died
+  /// before its folder had a summary an error; both say how, and both are kInfrastructure.
   /// @pre Poll() has returned false
   FinishedRun Finish() const;
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "scenarios/format/metric_registry.h"
@@ -24,8 +23,21 @@ std::optional<double> Mean(const std::vector<double>& sample) {
   return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
 }
 
-bool Scorable(float depth_m, float true_depth_m) {
-  return std::isfinite(depth_m) && std::isfinite(true_depth_m) && true_depth_m > 0;
+double AbsRel(double depth_m, double true_depth_m) {
+  return std::abs(depth_m - true_depth_m) / true_depth_m;
+}
+
+/// Calls `score(y, x, depth, true depth)` for every pixel that has both depths, row by row.
+template <typename Score>
+void ForEachScored(const cv::Mat1f& depth_m, const cv::Mat1f& true_depth_m, Score score) {
+  for (int y = 0; y < depth_m.rows; ++y) {
+    for (int x = 0; x < depth_m.cols; ++x) {
+      const double estimate = depth_m(y, x), truth = true_depth_m(y, x);
+      if (std::isfinite(estimate) && std::isfinite(truth) && truth > 0) {
+        score(y, x, estimate, truth);
+      }
+    }
+  }
 }
 
 bool Holds(double value, Comparison comparison, double limit) {
@@ -44,6 +56,13 @@ bool Holds(double value, Comparison comparison, double limit) {
   return false;
 }
 
+std::string HowItEnded(const GotoOutcome& g) {
+  const std::string end =
+      fmt::format("{} after {:.1f} s", g.reached ? "said it had arrived" : "gave up", g.duration_s);
+  return g.true_distance_m ? fmt::format("{}, {:.3f} m from the goal", end, *g.true_distance_m)
+                           : end;
+}
+
 /// "reached within D before T": every goal, in the robot's own opinion and in truth.
 void EvaluateReached(const Expectation& expectation, const std::vector<GotoOutcome>& gotos,
                      ExpectationResult& result) {
@@ -53,36 +72,36 @@ void EvaluateReached(const Expectation& expectation, const std::vector<GotoOutco
     return;
   }
   result.outcome = ExpectationOutcome::kPassed;
+  result.value = WorstGoalDistance(gotos);
   for (const GotoOutcome& g : gotos) {
-    const double distance = g.true_distance_m.value_or(std::numeric_limits<double>::infinity());
-    result.value = std::max(result.value.value_or(0), distance);
+    const bool near = g.true_distance_m && *g.true_distance_m <= result.limit;
     const bool in_time = !expectation.before_s || g.duration_s <= *expectation.before_s;
-    if (g.reached && distance <= result.limit && in_time) continue;
+    if (g.reached && near && in_time) continue;
     result.outcome = ExpectationOutcome::kFailed;
-    if (result.detail.empty()) {
-      result.detail =
-          fmt::format("{} after {:.1f} s, {:.3f} m from the goal",
-                      g.reached ? "said it had arrived" : "gave up", g.duration_s, distance);
-    }
+    if (result.detail.empty()) result.detail = HowItEnded(g);
   }
 }
 
 }  // namespace
 
+std::optional<double> WorstGoalDistance(const std::vector<GotoOutcome>& gotos) {
+  std::optional<double> worst_m;
+  for (const GotoOutcome& g : gotos) {
+    if (g.true_distance_m) worst_m = std::max(worst_m.value_or(0), *g.true_distance_m);
+  }
+  return worst_m;
+}
+
 DepthScore ScoreDepth(const cv::Mat1f& depth_m, const cv::Mat1f& true_depth_m) {
   DepthScore score;
   std::vector<double> abs_rel;
   double bias = 0;
-  int estimated = 0;
-  for (int y = 0; y < depth_m.rows; ++y) {
-    for (int x = 0; x < depth_m.cols; ++x) {
-      const float estimate = depth_m(y, x), truth = true_depth_m(y, x);
-      estimated += std::isfinite(estimate);
-      if (!Scorable(estimate, truth)) continue;
-      abs_rel.push_back(std::abs(estimate - truth) / truth);
-      bias += static_cast<double>(estimate) - truth;
-    }
-  }
+  ForEachScored(depth_m, true_depth_m, [&](int, int, double estimate, double truth) {
+    abs_rel.push_back(AbsRel(estimate, truth));
+    bias += estimate - truth;
+  });
+  const auto estimated = std::count_if(depth_m.begin(), depth_m.end(),
+                                       [](float estimate) { return std::isfinite(estimate); });
   score.density = static_cast<double>(estimated) / static_cast<double>(depth_m.total());
   if (!abs_rel.empty()) {
     score.bias_m = bias / static_cast<double>(abs_rel.size());
@@ -111,29 +130,22 @@ void ScoreBook::AddTick(const Tick& tick) {
 void ScoreBook::AddFrame(const DepthScore& score, const cv::Mat1f& depth_m, const FrameTruth& truth,
                          bool fixating) {
   densities_.push_back(score.density);
-  if (score.abs_rel_median) frame_medians_.push_back(*score.abs_rel_median);
   if (score.bias_m) biases_m_.push_back(*score.bias_m);
   int count = 0;
-  for (int y = 0; y < depth_m.rows; ++y) {
-    for (int x = 0; x < depth_m.cols; ++x) {
-      const float estimate = depth_m(y, x), true_m = truth.depth_m(y, x);
-      if (!Scorable(estimate, true_m) || ++count % kStride != 0) continue;
-      abs_rel_.push_back(std::abs(estimate - true_m) / true_m);
-    }
-  }
+  ForEachScored(depth_m, truth.depth_m, [&](int, int, double estimate, double true_m) {
+    if (++count % kStride == 0) abs_rel_.push_back(static_cast<float>(AbsRel(estimate, true_m)));
+  });
   if (fixating && !truth.board.empty()) AddBoard(depth_m, truth);
 }
 
 void ScoreBook::AddBoard(const cv::Mat1f& depth_m, const FrameTruth& truth) {
-  for (int y = 0; y < depth_m.rows; ++y) {
-    for (int x = 0; x < depth_m.cols; ++x) {
-      if (truth.board(y, x) == 0 || !Scorable(depth_m(y, x), truth.depth_m(y, x))) continue;
-      const double error = static_cast<double>(depth_m(y, x)) - truth.depth_m(y, x);
-      board_sum_m_ += error;
-      board_square_m2_ += error * error;
-      ++board_pixels_;
-    }
-  }
+  ForEachScored(depth_m, truth.depth_m, [&](int y, int x, double estimate, double true_m) {
+    if (truth.board(y, x) == 0) return;
+    const double error = estimate - true_m;
+    board_sum_m_ += error;
+    board_square_m2_ += error * error;
+    ++board_pixels_;
+  });
 }
 
 std::map<std::string, double> ScoreBook::Metrics() const {
@@ -146,7 +158,7 @@ std::map<std::string, double> ScoreBook::Metrics() const {
   if (last_true_) metrics["path_length"] = path_m_;
   add("odometry.error", odometry_error_m_);
   if (!gotos_.empty()) {
-    add("reached", gotos_.back().true_distance_m);
+    add("reached", WorstGoalDistance(gotos_));
     double total_s = 0;
     bool all = true;
     for (const GotoOutcome& g : gotos_) {
@@ -183,6 +195,7 @@ ExpectationResult Evaluate(const Expectation& expectation, const ScoreBook& book
                            const std::map<std::string, double>& metrics, bool has_truth) {
   ExpectationResult result;
   result.name = expectation.text;
+  result.metric = expectation.metric;
   const Metric* metric = FindMetric(expectation.metric);
   assert(metric != nullptr);  // the parser refuses unknown metrics and units
   result.unit = metric->unit;

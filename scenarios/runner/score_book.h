@@ -26,6 +26,10 @@ struct GotoOutcome {
   std::optional<double> true_distance_m;  ///< from the goal, where there is truth
 };
 
+/// The largest true distance from a goal over all goto steps that were begun, each at its end [m];
+/// nothing when there was none, or none with truth.
+std::optional<double> WorstGoalDistance(const std::vector<GotoOutcome>& gotos);
+
 /// Collects what happens in a run and turns it into the metrics that expectations name
 /// (scenarios/format/metric_registry.h).
 class ScoreBook {
@@ -57,7 +61,6 @@ class ScoreBook {
   double path_m_ = 0;
   std::optional<double> odometry_error_m_;
   std::vector<double> fixation_errors_deg_;
-  std::vector<double> frame_medians_;
   std::vector<double> densities_;
   std::vector<double> biases_m_;
   std::vector<float> abs_rel_;  ///< one in kStride of all scored pixels

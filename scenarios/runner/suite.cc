@@ -10,6 +10,7 @@
 #include <chrono>
 #include <fstream>
 #include <list>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <system_error>
@@ -35,6 +36,7 @@ struct Job {
   Scenario scenario;
   fs::path folder;
   std::optional<FinishedRun> finished;
+  bool kept = false;  ///< finished by an earlier suite
 };
 
 bool HasTag(const Scenario& scenario, const std::vector<std::string>& tags) {
@@ -52,16 +54,27 @@ std::string FolderStem(const Scenario& scenario) {
 std::vector<Job> MakeJobs(const SuiteOptions& options, const fs::path& out) {
   std::vector<Diagnostic> diagnostics;
   std::vector<Job> jobs;
+  std::map<std::string, fs::path> files;  // by the stem of their results folders
   for (const fs::path& file : FindScenarios(options.inputs)) {
     try {
       Scenario scenario = ParseScenario(file, {ScenesDir()});
       if (!HasTag(scenario, options.tags)) continue;
+      const std::string stem = FolderStem(scenario);
+      const auto [other, fresh] = files.emplace(stem, file);
+      if (!fresh) {
+        Diagnostic& clash = diagnostics.emplace_back();
+        clash.mark.file = file.string();
+        clash.message =
+            fmt::format("its results would go where those of {} go, {}: rename one of the files",
+                        other->second.string(), (out / (stem + "-seed*")).string());
+        continue;
+      }
       if (options.backend) scenario.backend = *options.backend;
       std::vector<std::uint64_t> seeds = options.seeds;
       if (seeds.empty()) seeds.push_back(scenario.seed);
       for (const std::uint64_t seed : seeds) {
         scenario.seed = seed;
-        jobs.push_back({scenario, out / fmt::format("{}-seed{}", FolderStem(scenario), seed), {}});
+        jobs.push_back({scenario, out / fmt::format("{}-seed{}", stem, seed), {}});
       }
     } catch (const ScenarioError& error) {
       diagnostics.insert(diagnostics.end(), error.diagnostics().begin(), error.diagnostics().end());
@@ -154,17 +167,19 @@ class Pool {
 
   void Show() const {
     Progress::State state;
-    for (const Job& job : jobs_) state.total_sim_s += job.scenario.time_limit_s;
     for (const Job& job : jobs_) {
-      if (job.finished) state.done_sim_s += job.scenario.time_limit_s;
-      state.done_runs += job.finished.has_value();
+      if (job.kept) {
+        state.AddKept();
+      } else if (job.finished) {
+        state.AddEnded(job.finished->summary);
+      } else {
+        state.AddWaiting(job.scenario.time_limit_s);
+      }
     }
-    state.runs = static_cast<int>(jobs_.size());
     for (const Running& r : running_) {
-      state.done_sim_s += r.process->sim_s();
-      state.doing.push_back(fmt::format("{} seed {}: {} at {:.1f} s", r.job->scenario.name,
-                                        r.job->scenario.seed, r.process->doing(),
-                                        r.process->sim_s()));
+      state.AddUnderWay(r.process->sim_s(),
+                        fmt::format("{} seed {}: {} at {:.1f} s", r.job->scenario.name,
+                                    r.job->scenario.seed, r.process->doing(), r.process->sim_s()));
     }
     progress_.Show(state);
   }
@@ -199,7 +214,10 @@ ExitCode Play(const SuiteOptions& options, std::ostream& out, std::ostream& err)
                     folder.string(), reason.message()));
   }
   if (options.resume) {
-    for (Job& job : jobs) job.finished = EarlierRun(job);
+    for (Job& job : jobs) {
+      job.finished = EarlierRun(job);
+      job.kept = job.finished.has_value();
+    }
   }
   InstallStopHandler();
   std::optional<WallClock::time_point> deadline;

@@ -45,7 +45,8 @@ void ExpectUsageError(const std::string& arguments, const std::string& remedy) {
 constexpr const char* kShipped = HOROPTER_SOURCE_DIR "/scenarios/koala/first_waypoint.yaml";
 
 TEST(CommandLine, HelpHasAnExampleEverywhere) {
-  for (const char* command : {"", "run", "list", "validate", "compare", "doctor", "schema"}) {
+  for (const char* command :
+       {"", "run", "list", "validate", "compare", "doctor", "schema", "timing"}) {
     const Ran ran = Horopter(std::string(command) + " --help");
     EXPECT_EQ(ran.code, 0) << command;
     EXPECT_THAT(ran.output, HasSubstr(std::string("  horopter ") + command)) << command;
@@ -68,7 +69,6 @@ TEST(CommandLine, MistypedWordsGetASuggestion) {
   ExpectUsageError("--verison", "did you mean '--version'?");
   ExpectUsageError("compare a", "NEW");
   ExpectUsageError("compare a b c", "unexpected argument 'c'");
-  ExpectUsageError("run", "INPUT");
 }
 
 TEST(CommandLine, BadValuesAreUsageErrors) {
@@ -158,6 +158,52 @@ TEST(CommandLine, CompareJudgesResultFolders) {
   EXPECT_EQ(ran.code, 1);
   EXPECT_THAT(ran.output, HasSubstr("WORSE"));
   EXPECT_EQ(Horopter("compare " + old_dir + "'" + (folder.path() / "none").string() + "'").code, 2);
+}
+
+TEST(CommandLine, CompareCountsWhatIsMissingAsARegressionUnlessAllowed) {
+  TemporaryFolder folder;
+  RunSummary run;
+  run.scenario = "a";
+  run.backend = "sim";
+  run.outcome = Outcome::kPassed;
+  run.metrics["clearance"] = 0.1;
+  RunSummary second = run;
+  second.seed = 2;
+  RunSummary bare = run;
+  bare.metrics.clear();
+  const auto write = [&folder](const char* name, const std::vector<RunSummary>& runs) {
+    WriteSuite(folder.path() / name, runs);
+    return " '" + (folder.path() / name).string() + "'";
+  };
+  const std::string both = write("both", {run, second});
+  for (const std::string& fewer : {write("run", {run}), write("metric", {bare, second})}) {
+    EXPECT_EQ(Horopter("compare" + both + fewer).code, 1) << fewer;
+    EXPECT_THAT(Horopter("compare" + both + fewer).output, HasSubstr("--allow-missing"));
+    EXPECT_EQ(Horopter("compare --allow-missing" + both + fewer).code, 0) << fewer;
+    EXPECT_EQ(Horopter("compare" + fewer + both).code, 0) << fewer;
+  }
+  const Ran ran = Horopter("compare" + both + write("twice", {run, run}));
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_THAT(ran.output, HasSubstr("two runs are both 'a, seed 0, sim'"));
+}
+
+TEST(CommandLine, TimingPrintsATableOverRuns) {
+  TemporaryFolder folder;
+  RunSummary run;
+  run.scenario = "a";
+  run.backend = "sim";
+  run.timing_ms = {{"disparity", {40, 50, 30}}, {"render", {}}};
+  RunSummary other = run;
+  other.seed = 2;
+  other.timing_ms["disparity"] = {44, 70, 10};
+  WriteSuite(folder.path() / "suite", {run, other});
+  const Ran ran = Horopter("timing '" + (folder.path() / "suite").string() + "'", "");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.output,
+            "| stage | median ms | worst run's 95 % ms | passes |\n"
+            "|---|---:|---:|---:|\n"
+            "| disparity | 42.000 | 70.000 | 40 |\n"
+            "| render | - | - | 0 |\n");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "scenarios/cli/compare_table.h"
+#include "scenarios/results/results_error.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -123,6 +124,40 @@ TEST(Compare, RunsAreMatchedBySeedAndMissingOnesNamed) {
   EXPECT_EQ(comparison.pairs, 1);
   EXPECT_THAT(comparison.missing, ElementsAre("first waypoint, seed 1, sim"));
   EXPECT_THAT(comparison.added, ElementsAre("first waypoint, seed 3, sim"));
+}
+
+TEST(Compare, MissingExpectationsAndMetricsAreNamed) {
+  RunSummary before = Played(1, {{"clearance", 0.2}, {"contacts", 0}});
+  before.expectations.emplace_back().name = "contacts 0";
+  const SuiteComparison lost = Compare({before}, {Played(1, {{"contacts", 0}})});
+  EXPECT_THAT(lost.missing, ElementsAre("first waypoint, seed 1, sim: expectation 'contacts 0'",
+                                        "first waypoint, seed 1, sim: metric clearance"));
+  EXPECT_THAT(CompareTable(lost, false), HasSubstr("metric clearance"));
+  EXPECT_TRUE(Compare({Played(1)}, {before}).missing.empty());  // more than before is no loss
+}
+
+TEST(Compare, RunsThatShareTheirNameAreRefused) {
+  RunSummary one = Played(1), other = Played(1);
+  one.directory = "koala-a-seed1";
+  other.directory = "lab-a-seed1";
+  for (const bool old_side : {true, false}) {
+    const std::vector<RunSummary> twice = {one, other}, once = {one};
+    try {
+      Compare(old_side ? twice : once, old_side ? once : twice);
+      FAIL();
+    } catch (const ResultsError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("first waypoint, seed 1, sim"));
+      EXPECT_THAT(error.what(), HasSubstr("koala-a-seed1 and lab-a-seed1"));
+    }
+  }
+}
+
+TEST(Compare, StagesThatNeverRanAreNotCompared) {
+  RunSummary idle = Played(1), busy = Played(1);
+  idle.timing_ms["disparity"] = {};
+  busy.timing_ms["disparity"] = {100, 120, 10};
+  EXPECT_TRUE(Compare({idle}, {busy}).timings.empty());
+  EXPECT_TRUE(Compare({busy}, {idle}).timings.empty());
 }
 
 TEST(Compare, TimingsRegressOnlyBeyondAGenerousRatio) {

@@ -49,6 +49,7 @@ TEST_F(ScenarioChecks, TargetsBehindTheRobotAreRefused) {
   EXPECT_THAT(Faults("look_at: {x_m: -1, y_m: -2, z_m: 0.3}"), HasSubstr("behind the robot"));
   EXPECT_THAT(Faults("look_at: {x_m: 0.3, y_m: 2, z_m: 0.3}"),
               HasSubstr("out of the head's reach"));
+  EXPECT_THAT(Faults("fixate: {x_m: 0.4, y_m: 0, z_m: 3}"), HasSubstr("out of the head's reach"));
 }
 
 TEST_F(ScenarioChecks, TargetsAfterADriveAreLeftToTheRun) {

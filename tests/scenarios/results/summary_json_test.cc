@@ -65,6 +65,9 @@ TEST(RunSummaryText, SaysNullForWhatNeverWas) {
   EXPECT_TRUE(json["expectations"][0]["value"].is_null());
   EXPECT_TRUE(json["timing_ms"]["render"]["median"].is_null());
   EXPECT_TRUE(json["metrics"]["clearance"].is_null());
+  const RunSummary back = ParseSummaryText(RunSummaryText(run)).at(0);
+  EXPECT_FALSE(back.timing_ms.at("render").median_ms || back.timing_ms.at("render").p95_ms);
+  EXPECT_EQ(back.timing_ms.at("render").n, 0);
   EXPECT_EQ(json["outcome"], "incomplete");
 }
 

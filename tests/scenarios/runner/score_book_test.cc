@@ -6,6 +6,10 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
+
+#include "scenarios/format/metric_registry.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -52,6 +56,50 @@ TEST(ScoreDepth, NothingEstimatedGivesNoNumbers) {
 }
 
 TEST(ScoreBook, EmptyBookHasNoMetrics) { EXPECT_TRUE(ScoreBook().Metrics().empty()); }
+
+TEST(ScoreBook, ARunWithEverythingInItHasEveryRegisteredMetric) {
+  ScoreBook book;
+  ScoreBook::Tick tick;
+  tick.true_pose = hardware::Pose2{0.1, 0, 0};
+  tick.clearance_m = 0.4;
+  tick.contacts = 0;
+  tick.fixation_error_deg = 0.2;
+  book.AddTick(tick);
+  const FrameTruth truth{cv::Mat1f(4, 4, 1.0f), cv::Mat1b(4, 4, uchar{255})};
+  const cv::Mat1f depth(4, 4, 1.1f);
+  book.AddFrame(ScoreDepth(depth, truth.depth_m), depth, truth, /*fixating=*/true);
+  book.AddGoto({true, 10, 0.05});
+  std::vector<std::string> measured;
+  for (const auto& [name, value] : book.Metrics()) {
+    EXPECT_TRUE(std::isfinite(value)) << name;
+    measured.push_back(name);
+  }
+  EXPECT_THAT(measured, testing::UnorderedElementsAreArray(MetricNames()));
+}
+
+TEST(ScoreBook, ReachedIsTheWorstGoalAndTimeTheSumOfAll) {
+  ScoreBook book;
+  book.AddGoto({true, 10, 0.20});
+  book.AddGoto({true, 15, 0.05});
+  EXPECT_DOUBLE_EQ(book.Metrics().at("reached"), 0.20);
+  EXPECT_DOUBLE_EQ(book.Metrics().at("time_to_goal"), 25);
+  book.AddGoto({false, 60, 1.5});
+  EXPECT_DOUBLE_EQ(book.Metrics().at("reached"), 1.5);
+  EXPECT_EQ(book.Metrics().count("time_to_goal"), 0u);
+}
+
+TEST(ScoreBook, QuantilesOverTheRunAreThoseOfItsPixels) {
+  const FrameTruth truth{cv::Mat1f(70, 10, 2.0f), {}};
+  cv::Mat1f depth(70, 10, 2.2f);
+  depth.rowRange(0, 20) = kNan;
+  ScoreBook book;
+  const DepthScore score = ScoreDepth(depth, truth.depth_m);
+  book.AddFrame(score, depth, truth, /*fixating=*/false);
+  EXPECT_NEAR(book.Metrics().at("depth.abs_rel.median"), 0.1, 1e-6);
+  EXPECT_NEAR(book.Metrics().at("depth.abs_rel.p95"), 0.1, 1e-6);
+  EXPECT_NEAR(*score.abs_rel_median, 0.1, 1e-6);
+  EXPECT_NEAR(book.Metrics().at("depth.bias"), 0.2, 1e-6);
+}
 
 TEST(ScoreBook, ClearanceIsTheSmallestAndPathTheSumOfTrueMotion) {
   ScoreBook book;
@@ -123,6 +171,24 @@ TEST(Evaluate, ReachedNeedsOpinionDistanceAndTime) {
   EXPECT_EQ(outcome({false, 30, 0.10}), ExpectationOutcome::kFailed);
   EXPECT_EQ(outcome({true, 61, 0.10}), ExpectationOutcome::kFailed);
   EXPECT_EQ(outcome({true, 30, 0.16}), ExpectationOutcome::kFailed);
+}
+
+TEST(Evaluate, ResultNamesTheMetricItJudges) {
+  ScoreBook book;
+  book.AddTick({{}, {}, 0.04, {}, {}});
+  book.AddGoto({true, 30, 0.10});
+  EXPECT_EQ(Evaluate(Expect("clearance", Comparison::kAtLeast, 0.03, "m"), book).metric,
+            "clearance");
+  EXPECT_EQ(Evaluate(ReachedWithin(0.15, 60), book).metric, "reached");
+  EXPECT_EQ(Evaluate(ReachedWithin(0.15, 60), book, /*has_truth=*/false).metric, "reached");
+}
+
+TEST(Evaluate, ReachedHasOneValueInBothItsForms) {
+  ScoreBook book;
+  book.AddGoto({true, 10, 0.20});
+  book.AddGoto({true, 10, 0.05});
+  EXPECT_EQ(Evaluate(ReachedWithin(0.15, 60), book).value,
+            Evaluate(Expect("reached", Comparison::kAtMost, 0.15, "m"), book).value);
 }
 
 TEST(Evaluate, EveryGoalMustBeReached) {

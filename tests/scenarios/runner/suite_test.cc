@@ -107,6 +107,16 @@ TEST_F(SuiteTest, BadInputExitsWithTwoBeforeAnythingRuns) {
   EXPECT_FALSE(fs::exists(root_ / "out"));
 }
 
+TEST_F(SuiteTest, ScenariosThatWouldShareAResultsFolderAreBadInput) {
+  for (const char* folder : {"x/koala", "y/koala"}) fs::create_directories(root_ / folder);
+  const fs::path first = Write("x/koala/room.yaml", Turning("contacts 0"));
+  const fs::path second = Write("y/koala/room.yaml", Turning("contacts 1"));
+  EXPECT_EQ(Run(Options(root_)), ExitCode::kBadInput);
+  EXPECT_THAT(err_.str(), HasSubstr(first.string()));
+  EXPECT_THAT(err_.str(), HasSubstr(second.string()));
+  EXPECT_FALSE(fs::exists(root_ / "out"));
+}
+
 TEST_F(SuiteTest, TagThatNoScenarioHasIsBadInput) {
   SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
   options.tags = {"slow"};
@@ -182,10 +192,20 @@ TEST_F(RunProcessTest, TerminatedRunSaysThatItIsIncomplete) {
   EXPECT_TRUE(fs::exists(root_ / "run" / "report.html"));
 }
 
+TEST_F(RunProcessTest, RunKilledBeforeItHasAFolderIsAnError) {
+  const Scenario scenario = ParseScenario(Write("a.yaml", Turning("contacts 0")), {ScenesDir()});
+  RunProcess process(scenario, Write("file", "") / "run", std::nullopt);
+  while (process.Poll()) {
+  }
+  EXPECT_EQ(process.Finish().summary.outcome, Outcome::kError);
+  EXPECT_EQ(process.Finish().exit_code, ExitCode::kInfrastructure);
+}
+
 TEST_F(RunProcessTest, KilledRunLeavesReadableResultsMarkedIncomplete) {
   PlayAndSignal(SIGKILL);
-  EXPECT_EQ(finished_.summary.outcome, Outcome::kError);
-  EXPECT_THAT(finished_.summary.error, HasSubstr("signal 9"));
+  EXPECT_EQ(finished_.summary.outcome, Outcome::kIncomplete);
+  EXPECT_EQ(finished_.exit_code, ExitCode::kInfrastructure);
+  EXPECT_EQ(finished_.summary.error, "ended by signal 9 (Killed)");
   EXPECT_EQ(ReadSuiteSummary(root_ / "run").at(0).outcome, Outcome::kIncomplete);
   EXPECT_TRUE(fs::exists(root_ / "run" / "frames.csv"));
   EXPECT_FALSE(fs::exists(root_ / "run" / "report.html"));

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/cli/commands.h"
+#include "scenarios/results/statistics.h"
+#include "scenarios/results/suite.h"
+#include "scenarios/runner/exit_code.h"
+
+namespace horopter::scenarios {
+namespace {
+
+/// One stage over several runs.
+struct StageOverRuns {
+  std::vector<double> medians_ms;
+  std::optional<double> worst_p95_ms;
+  int passes = 0;
+};
+
+std::map<std::string, StageOverRuns> Gather(const std::vector<RunSummary>& runs) {
+  std::map<std::string, StageOverRuns> stages;
+  for (const RunSummary& run : runs) {
+    for (const auto& [name, timing] : run.timing_ms) {
+      StageOverRuns& stage = stages[name];
+      if (timing.median_ms) stage.medians_ms.push_back(*timing.median_ms);
+      stage.worst_p95_ms = std::max(stage.worst_p95_ms, timing.p95_ms);  // nothing is the least
+      stage.passes += timing.n;
+    }
+  }
+  return stages;
+}
+
+std::string Cell(std::optional<double> ms) { return ms ? fmt::format("{:.3f}", *ms) : "-"; }
+
+void PrintMarkdown(const std::vector<RunSummary>& runs) {
+  std::cout << "| stage | median ms | worst run's 95 % ms | passes |\n|---|---:|---:|---:|\n";
+  for (const auto& [name, stage] : Gather(runs)) {
+    std::cout << fmt::format("| {} | {} | {} | {} |\n", name, Cell(Median(stage.medians_ms)),
+                             Cell(stage.worst_p95_ms), stage.passes);
+  }
+}
+
+}  // namespace
+
+Command AddTimingCommand(CLI::App& parent) {
+  CLI::App* app = parent.add_subcommand("timing", "Print milliseconds per stage as Markdown");
+  // Shared by CLI11, which writes into it while parsing, and the closure that runs afterwards.
+  const auto folder = std::make_shared<std::string>();
+  app->add_option("RESULTS", *folder, "Results folder of one run or several")->required();
+  app->footer(
+      "\nThe median over the runs' medians, and the worst of their 95th percentiles.\n"
+      "\nExample:\n"
+      "  horopter run scenarios/ --out results/timing && horopter timing results/timing");
+  return {app, [folder] {
+            PrintMarkdown(ReadSuiteSummary(*folder));
+            return static_cast<int>(ExitCode::kPassed);
+          }};
+}
+
+}  // namespace horopter::scenarios
