@@ -29,6 +29,18 @@ class Checker {
 
 }  // namespace
 
+NavigatorConfig NavigatorConfig::Paper() {
+  NavigatorConfig config;
+  config.obstacle_test = ObstacleTest::kCentralImage;
+  config.avoid_directions = 1;
+  config.stop_distance_m = 0;
+  config.slow_distance_m = 0;
+  config.side_switch_ratio = 1;
+  config.side_hold_m = 0;
+  config.memory.keep_s = 0;
+  return config;
+}
+
 std::vector<hardware::FieldError> NavigatorConfig::Validate() const {
   Checker check;
   check.Part(strips.Validate());

@@ -14,10 +14,8 @@ namespace horopter::control {
 /// What the navigator goes by. Lengths in metres, times in seconds, angles in radians.
 ///
 /// The first block is the paper's rule (Chessa et al. 2014, "Navigation"), which leaves its numbers
-/// open; the second is what a robot with a width and a narrow view needs besides. Setting
-/// obstacle_test = kCentralImage, avoid_directions = 1, stop_distance_m = slow_distance_m = 0,
-/// side_hold_m = 0, side_switch_ratio = 1 and memory.keep_s = 0 leaves the paper's rule alone, with
-/// the two stops (blind, stuck).
+/// open; the second is what a robot with a width and a narrow view needs besides. Paper() takes the
+/// second away again, but for the two stops (blind, stuck).
 struct NavigatorConfig {
   ObstacleTest obstacle_test = ObstacleTest::kCorridor;
   StripConfig strips;
@@ -48,6 +46,9 @@ struct NavigatorConfig {
   double gaze_max_bearing_rad = 0.3;  ///< so that what lies straight ahead stays in view
 
   WaypointControllerConfig controller;
+
+  /// The paper's rule alone.
+  static NavigatorConfig Paper();
 
   /// Every bad field, its own parts included.
   std::vector<hardware::FieldError> Validate() const;

@@ -83,9 +83,9 @@ SplitPoints Split(const vision::PointField& points_B, const ObstacleConfig& conf
   return split;
 }
 
-cv::Mat1f ObstacleDepth(const vision::PointField& points_B, const ObstacleConfig& config) {
+cv::Mat1f ObstacleDepth(const SplitPoints& points_B) {
   cv::Mat1f depth;
-  cv::extractChannel(Split(points_B, config).obstacles, depth, 0);
+  cv::extractChannel(points_B.obstacles, depth, 0);
   return depth;
 }
 

@@ -39,6 +39,6 @@ SplitPoints Split(const vision::PointField& points_B, const ObstacleConfig& conf
 
 /// Forward distance x_B of the obstacles among them [m]; NaN elsewhere. This is the depth that
 /// vision::ExtractRegions measures for navigation.
-cv::Mat1f ObstacleDepth(const vision::PointField& points_B, const ObstacleConfig& config);
+cv::Mat1f ObstacleDepth(const SplitPoints& points_B);
 
 }  // namespace horopter::control

@@ -24,9 +24,8 @@ struct SceneView {
   cv::Size size() const { return obstacles_B.size(); }
 };
 
-/// @param points_B every reconstructed point in the base frame at t_capture
-/// @throws hardware::ConfigError; std::invalid_argument when labels and points differ in size
-SceneView MakeSceneView(hardware::Time t_capture, vision::RegionMap regions,
-                        const vision::PointField& points_B, const ObstacleConfig& config);
+/// @param points_B in the base frame at t_capture
+/// @throws std::invalid_argument when labels and points differ in size
+SceneView MakeSceneView(hardware::Time t_capture, vision::RegionMap regions, SplitPoints points_B);
 
 }  // namespace horopter::control

@@ -36,6 +36,11 @@ inline Pose ToPose(const Pose2& p, double z_m = 0) {
   return X;
 }
 
+/// What is left of a pose on the ground plane: its place, and the heading of its x axis.
+inline Pose2 ToPose2(const Pose& X) {
+  return {X.translation().x(), X.translation().y(), std::atan2(X(1, 0), X(0, 0))};
+}
+
 /// Rotation that maps optical axes (x right, y down, z forward) into body axes (x forward, y left,
 /// z up): p_body = OpticalToBody() * p_optical.
 inline Eigen::Matrix3d OpticalToBody() {

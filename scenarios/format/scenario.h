@@ -71,7 +71,8 @@ struct VisionSpec {
 };
 
 struct NavigationSpec {
-  std::string obstacle_test = "corridor";  ///< central_image (the paper's) or corridor
+  std::string rule = "corridor";  ///< "paper": the paper's alone; "corridor": made safe for a robot
+                                  ///< with a width and a narrow view
   double obstacle_limit_m = 1.2;
   double cruise_speed_m_s = 0.2;
 

@@ -76,10 +76,10 @@ void Visit(FieldVisitor& v, VisionSpec& s) {
 }
 
 void Visit(FieldVisitor& v, NavigationSpec& s) {
-  v.Choice({"obstacle_test", "",
-            "Where a near region is an obstacle: in the central part of the "
-            "image (the paper's rule), or in the way of the robot's width."},
-           {"central_image", "corridor"}, s.obstacle_test);
+  v.Choice({"rule", "",
+            "How obstacles are avoided: by the paper's rule alone, or with its additions for a "
+            "robot with a width and a narrow view."},
+           {"paper", "corridor"}, s.rule);
   v.Number({"obstacle_limit_m", "m", "What is nearer than this is avoided."}, {0, 10, true},
            s.obstacle_limit_m);
   v.Number({"cruise_speed_m_s", "m/s", "Speed on a free straight."}, {0, 2, true},

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <opencv2/imgproc.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <opencv2/imgproc.hpp>
-
+#include "sim/oracle/bullet_geometry.h"
 #include "sim/truth/fixation_error.h"
 
 namespace horopter::scenarios {
@@ -19,11 +20,6 @@ constexpr double kDegrees = 180 / M_PI;
 std::string NameOf(const mjModel& model, int type, int id) {
   const char* name = mj_id2name(&model, type, id);
   return name == nullptr ? "" : name;
-}
-
-bool IsFloor(const mjModel& model, int geom) {
-  return model.geom_type[geom] == mjGEOM_PLANE || NameOf(model, mjOBJ_GEOM, geom) == "floor" ||
-         NameOf(model, mjOBJ_BODY, model.geom_bodyid[geom]) == "floor";
 }
 
 /// Points of a geom whose hull, seen from above, is the geom's outline.
@@ -48,6 +44,10 @@ std::vector<Eigen::Vector3d> OutlinePoints(const mjModel& model, int geom) {
       }
       break;
     }
+    case mjGEOM_PLANE:  // an upright one is a line on a plan
+      points.emplace_back(-size[0], 0, 0);
+      points.emplace_back(size[0], 0, 0);
+      break;
     default:  // the bounding sphere's equator: meshes, spheres and ellipsoids are round on a plan
       for (int i = 0; i < 24; ++i) {
         const double a = 2 * M_PI * i / 24, r = model.geom_rbound[geom];
@@ -57,13 +57,10 @@ std::vector<Eigen::Vector3d> OutlinePoints(const mjModel& model, int geom) {
   return points;
 }
 
-std::string KindOf(std::string_view body, std::string_view geom) {
-  const auto begins = [&](std::string_view prefix) {
-    return body.substr(0, prefix.size()) == prefix || geom.substr(0, prefix.size()) == prefix;
-  };
-  if (begins("obstacle")) return "obstacle";
-  if (begins("wall")) return "wall";
-  if (begins("board")) return "board";
+std::string KindOf(std::string_view name) {
+  if (name.starts_with("obstacle")) return "obstacle";
+  if (name.ends_with("wall")) return "wall";
+  if (name.starts_with("board")) return "board";
   return "furniture";
 }
 
@@ -75,7 +72,7 @@ KoalaTruth::KoalaTruth(sim::KoalaSimulation& simulation, hardware::StageTimes& t
   robot_body_ = simulation.world().Id(mjOBJ_BODY, "base");
   for (int geom = 0; geom < model.ngeom; ++geom) {
     if (model.body_rootid[model.geom_bodyid[geom]] == robot_body_) robot_geoms_.insert(geom);
-    if (IsFloor(model, geom)) floor_geoms_.insert(geom);
+    if (sim::IsFloor(model, geom)) floor_geoms_.insert(geom);
   }
   simulation_.OnStep([this](const sim::World& world) { CountContacts(world); });
 }
@@ -95,8 +92,7 @@ void KoalaTruth::CountContacts(const sim::World& world) {
 }
 
 hardware::Pose2 KoalaTruth::X_OB() {
-  const hardware::Pose X = simulation_.X_WO().inverse() * simulation_.world().X_WBody("base");
-  return {X.translation().x(), X.translation().y(), std::atan2(X(1, 0), X(0, 0))};
+  return hardware::ToPose2(simulation_.X_WO().inverse() * simulation_.world().X_WBody("base"));
 }
 
 double KoalaTruth::Clearance() {
@@ -116,7 +112,7 @@ double KoalaTruth::FixationErrorDeg(const Eigen::Vector3d& p_OT) {
   return worst * kDegrees;
 }
 
-FrameTruth KoalaTruth::AtCapture(const hardware::StereoFrame&) {
+FrameTruth KoalaTruth::AtCapture() {
   return times_.Measure("truth", [this] {
     const sim::RenderedView view = simulation_.RenderTruth(hardware::Eye::kLeft);
     FrameTruth truth;
@@ -129,25 +125,31 @@ FrameTruth KoalaTruth::AtCapture(const hardware::StereoFrame&) {
 }
 
 PlanRecord KoalaTruth::Plan() {
-  PlanRecord plan;
   const mjModel& model = simulation_.world().model();
   const mjData& data = simulation_.world().data();
   const hardware::Pose X_OW = simulation_.X_WO().inverse();
+  // Geoms of one body are one thing; those of the world itself stand alone.
+  std::map<std::pair<int, int>, std::vector<cv::Point2f>> things;
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const bool solid = model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
     if (!solid || robot_geoms_.count(geom) > 0 || floor_geoms_.count(geom) > 0) continue;
-    const Eigen::Map<const Eigen::Vector3d> p_WG(data.geom_xpos + 3 * geom);
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> R_WG(data.geom_xmat +
-                                                                              9 * geom);
-    std::vector<cv::Point2f> points, hull;
+    const int body = model.geom_bodyid[geom];
+    auto& outline = things[{body, body == 0 ? geom : -1}];
+    const hardware::Pose X_OG =
+        X_OW * sim::PoseFromMujoco(data.geom_xpos + 3 * geom, data.geom_xmat + 9 * geom);
     for (const Eigen::Vector3d& p_GP : OutlinePoints(model, geom)) {
-      const Eigen::Vector3d p_O = X_OW * Eigen::Vector3d(R_WG * p_GP + p_WG);
-      points.emplace_back(static_cast<float>(p_O.x()), static_cast<float>(p_O.y()));
+      const Eigen::Vector3d p_O = X_OG * p_GP;
+      outline.emplace_back(static_cast<float>(p_O.x()), static_cast<float>(p_O.y()));
     }
+  }
+  PlanRecord plan;
+  for (const auto& [thing, points] : things) {
+    const auto [body, geom] = thing;
+    const std::string name =
+        geom >= 0 ? NameOf(model, mjOBJ_GEOM, geom) : NameOf(model, mjOBJ_BODY, body);
+    std::vector<cv::Point2f> hull;
     cv::convexHull(points, hull);
-    const std::string geom_name = NameOf(model, mjOBJ_GEOM, geom);
-    const std::string body_name = NameOf(model, mjOBJ_BODY, model.geom_bodyid[geom]);
-    PlanShape shape{geom_name.empty() ? body_name : geom_name, KindOf(body_name, geom_name), {}};
+    PlanShape shape{name, KindOf(name), {}};
     for (const cv::Point2f& p : hull) shape.outline_m.emplace_back(p.x, p.y);
     plan.shapes.push_back(std::move(shape));
   }

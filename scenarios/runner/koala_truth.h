@@ -21,7 +21,7 @@ class KoalaTruth final : public TruthProbe {
   double Clearance() override;
   int contacts() const override { return contacts_; }
   double FixationErrorDeg(const Eigen::Vector3d& p_OT) override;
-  FrameTruth AtCapture(const hardware::StereoFrame& frame) override;
+  FrameTruth AtCapture() override;
   PlanRecord Plan() override;
 
  private:

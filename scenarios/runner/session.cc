@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <utility>
@@ -23,7 +24,8 @@ constexpr Duration kControlPeriod = std::chrono::milliseconds(20);
 constexpr int kTicksPerPathPoint = 5;
 constexpr Duration kPicturePeriod = std::chrono::seconds(2);
 
-/// Encoder steps by which a settled axis may miss its command.
+/// What a settled axis may miss its command by: the servo's error, and so many encoder steps.
+constexpr double kServoErrorDeg = 0.05;
 constexpr double kSettledSteps = 2.5;
 
 template <typename T>
@@ -40,22 +42,47 @@ hardware::PerEye<hardware::CameraModel> Models(const hardware::CameraPair& camer
   return {cameras.model(hardware::Eye::kLeft), cameras.model(hardware::Eye::kRight)};
 }
 
-control::NavigatorConfig NavigatorConfigOf(const NavigationSpec& spec) {
-  control::NavigatorConfig config;
-  config.obstacle_test = spec.obstacle_test == "central_image"
-                             ? control::ObstacleTest::kCentralImage
-                             : control::ObstacleTest::kCorridor;
+/// By how much a view may be older than it gets in the regular course before the robot stops.
+constexpr double kViewAgeMargin = 1.25;
+
+control::NavigatorConfig NavigatorConfigOf(const Scenario& scenario) {
+  const NavigationSpec& spec = scenario.navigation;
+  control::NavigatorConfig config =
+      spec.rule == "paper" ? control::NavigatorConfig::Paper() : control::NavigatorConfig();
   config.obstacle_distance_m = spec.obstacle_limit_m;
   config.controller.linear.output_limit = spec.cruise_speed_m_s;
+  // A view is oldest just before the next one arrives: its own latency, and the next one's cycle.
+  const double cycle_s = std::max(scenario.vision.latency_s, 1 / scenario.vision.rate_hz);
+  config.max_view_age_s = kViewAgeMargin * (scenario.vision.latency_s + cycle_s);
   return config;
 }
 
 BehaviourContext ContextOf(const Scenario& scenario, const RobotDescription& robot) {
   constexpr double kRadians = M_PI / 180;
+  const double encoder_deg = scenario.head.encoder_step_deg + scenario.head.encoder_noise_deg;
   return {robot.head_geometry, robot.head_limits,
-          kSettledSteps * (scenario.head.encoder_step_deg + scenario.head.encoder_noise_deg) *
-              kRadians};
+          (kServoErrorDeg + kSettledSteps * encoder_deg) * kRadians};
 }
+
+/// Devices that are active as long as this lives: whatever ends a run, they are stopped.
+class ActiveDevices {
+ public:
+  explicit ActiveDevices(Backend& backend)
+      : devices_{&backend.base(), &backend.head(), &backend.cameras()} {
+    for (hardware::Device* device : devices_) {
+      Demand(device->Configure(), "configuring");
+      Demand(device->Activate(), "activating");
+    }
+  }
+  ~ActiveDevices() {
+    for (hardware::Device* device : devices_) device->Deactivate();
+  }
+  ActiveDevices(const ActiveDevices&) = delete;
+  ActiveDevices& operator=(const ActiveDevices&) = delete;
+
+ private:
+  hardware::Device* devices_[3];
+};
 
 }  // namespace
 
@@ -69,7 +96,7 @@ Session::Session(const Scenario& scenario, const RobotDescription& robot, Backen
       hooks_(std::move(hooks)),
       vision_(scenario.vision, Models(backend.cameras()), robot.head_geometry),
       odometry_(backend.base().properties()),
-      navigator_(NavigatorConfigOf(scenario.navigation)),
+      navigator_(NavigatorConfigOf(scenario)),
       context_(ContextOf(scenario, robot)) {
   if (TruthProbe* truth = backend_.truth()) plan_ = truth->Plan();
   plan_.robot_radius_m = robot.radius_m;
@@ -77,11 +104,7 @@ Session::Session(const Scenario& scenario, const RobotDescription& robot, Backen
 
 Session::Ending Session::Run() {
   Ending ending;
-  hardware::Device* const devices[] = {&backend_.head(), &backend_.cameras(), &backend_.base()};
-  for (hardware::Device* device : devices) {
-    Demand(device->Configure(), "configuring");
-    Demand(device->Activate(), "activating");
-  }
+  const ActiveDevices active(backend_);
   for (const Step& step : scenario_.steps) {
     const std::string name = StepName(step.action);
     const auto behaviour = MakeBehaviour(step.action, context_, navigator_);
@@ -99,7 +122,6 @@ Session::Ending Session::Run() {
     if (!output.failure.empty()) ending.failure = name + ": " + output.failure;
     if (ending.interrupted || !ending.failure.empty()) break;
   }
-  for (hardware::Device* device : devices) device->Deactivate();
   return ending;
 }
 
@@ -108,7 +130,8 @@ StepOutput Session::Tick(Behaviour& behaviour, const std::string& step_name) {
   const StackState state = Read();
   Deliver(state);
   if (state.t >= next_view_ && !pending_) See(state, step_name);
-  const StepOutput output = times_.Measure("navigation", [&] { return behaviour.Update(state); });
+  const StepOutput output =
+      times_.Measure("navigation, a tick", [&] { return behaviour.Update(state); });
   Write(output);
   Record(state, output);
   next_tick_ += kControlPeriod;
@@ -144,7 +167,7 @@ void Session::See(const StackState& state, const std::string& step_name) {
   record.regions = static_cast<int>(result.regions.regions.size());
   FrameTruth truth;
   if (TruthProbe* probe = backend_.truth()) {
-    truth = probe->AtCapture(frame);
+    truth = probe->AtCapture();
     record.true_pose = probe->X_OB();
     record.clearance_m = probe->Clearance();
     record.depth = ScoreDepth(result.depth_m, truth.depth_m);
@@ -160,14 +183,14 @@ void Session::See(const StackState& state, const std::string& step_name) {
     writer_.AddFrame(record);
   }
   ++frames_;
-  pending_ = Pending{
-      control::MakeSceneView(result.t_capture, std::move(result.regions), result.points_B, {}),
-      state.X_OB, state.t + FromSeconds(scenario_.vision.latency_s)};
+  pending_ = Pending{control::MakeSceneView(result.t_capture, std::move(result.regions),
+                                            std::move(result.points_B)),
+                     state.X_OB, state.t + FromSeconds(scenario_.vision.latency_s)};
 }
 
 void Session::Deliver(const StackState& state) {
   if (!pending_ || state.t < pending_->due) return;
-  times_.Measure("navigation view",
+  times_.Measure("navigation, a view",
                  [&] { navigator_.OnView(pending_->view, pending_->X_OB_at_capture); });
   pending_.reset();
 }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "hardware/types/pose.h"
-#include "hardware/types/stereo_frame.h"
 #include "scenarios/results/run_record.h"
 
 namespace horopter::scenarios {
@@ -14,7 +13,7 @@ namespace horopter::scenarios {
 /// The truth about one frame. Maps have the left image's size.
 struct FrameTruth {
   cv::Mat1f depth_m;  ///< along the left optical axis; +inf where nothing is
-  cv::Mat1b board;    ///< 255 on the scene's body "board"; empty when it has none
+  cv::Mat1b board;    ///< 255 on the scene's geom "board"; empty when it has none
 };
 
 /// What scoring may ask of the world. Scoring alone holds one; a backend without truth has none.
@@ -36,8 +35,8 @@ class TruthProbe {
   /// @param p_OT in the robot's true starting frame
   virtual double FixationErrorDeg(const Eigen::Vector3d& p_OT) = 0;
 
-  /// The instant of a frame that has just been grabbed.
-  virtual FrameTruth AtCapture(const hardware::StereoFrame& frame) = 0;
+  /// The truth about a frame grabbed now.
+  virtual FrameTruth AtCapture() = 0;
 
   /// Outlines of what stands in the room, in the robot's true starting frame.
   virtual PlanRecord Plan() = 0;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "control/kinematics/head_kinematics.h"
-#include "control/navigator/obstacle_points.h"
 #include "vision/disparity/disparity_factory.h"
 #include "vision/regions/extract_regions.h"
 #include "vision/segmentation/colour_edges.h"
@@ -35,12 +34,14 @@ VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
   // Where: the match of every left pixel, and from it a point.
   result.disparity = times.Measure(
       "disparity", [&] { return estimator_->Estimate(frame.left.bgr, frame.right.bgr); });
-  const vision::PointField points_H = times.Measure("reconstruction", [&] {
-    return reconstructor_.Reconstruct(result.disparity, angles, geometry_.baseline_m);
+  const vision::PointField points_B = times.Measure("reconstruction", [&] {
+    const auto points_H =
+        reconstructor_.Reconstruct(result.disparity, angles, geometry_.baseline_m);
+    return vision::Transformed(points_H, control::HeadPose(geometry_, angles.neck));
   });
-  result.points_B = vision::Transformed(points_H, control::HeadPose(geometry_, angles.neck));
+  result.points_B = times.Measure("obstacle points", [&] { return control::Split(points_B, {}); });
   result.depth_m = vision::DepthAlongOptical(
-      result.points_B, control::EyePose(geometry_, angles, hardware::Eye::kLeft));
+      points_B, control::EyePose(geometry_, angles, hardware::Eye::kLeft));
 
   // What: surfaces bounded by colour edges, each with the depth of what could be hit on it.
   const cv::Mat1b interior = times.Measure("segmentation", [&] {
@@ -49,7 +50,7 @@ VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
   });
   result.regions = times.Measure("regions", [&] {
     return vision::ExtractRegions(interior, frame.left.bgr,
-                                  control::ObstacleDepth(result.points_B, {}));
+                                  control::ObstacleDepth(result.points_B));
   });
   return result;
 }

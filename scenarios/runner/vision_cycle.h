@@ -4,6 +4,7 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 
+#include "control/navigator/obstacle_points.h"
 #include "hardware/types/camera_model.h"
 #include "hardware/types/eye.h"
 #include "hardware/types/head_angles.h"
@@ -13,7 +14,6 @@
 #include "scenarios/format/scenario.h"
 #include "vision/disparity/disparity_estimator.h"
 #include "vision/disparity/disparity_field.h"
-#include "vision/reconstruction/point_field.h"
 #include "vision/reconstruction/reconstruct.h"
 #include "vision/regions/region.h"
 
@@ -23,9 +23,9 @@ namespace horopter::scenarios {
 struct VisionResult {
   hardware::Time t_capture{};
   vision::DisparityField disparity;
-  vision::PointField points_B;  ///< in the base frame at t_capture
-  cv::Mat1f depth_m;            ///< along the left optical axis, for people and scoring; NaN = none
-  vision::RegionMap regions;    ///< depth: forward distance in B of what could be hit
+  cv::Mat1f depth_m;  ///< along the left optical axis, for people and scoring; NaN = none
+  control::SplitPoints points_B;  ///< in the base frame at t_capture: what could be hit, and floor
+  vision::RegionMap regions;      ///< their depth: forward distance of what could be hit
 };
 
 /// The vision half of the Koala paper's Figure 1: disparity and reconstruction on one side,

@@ -19,10 +19,6 @@ using hardware::Time;
 /// Long enough for the wheels to take up the robot's weight and for the body to stop swinging.
 constexpr Duration kSettleTime = std::chrono::milliseconds(400);
 
-hardware::Pose2 Planar(const hardware::Pose& X) {
-  return {X.translation().x(), X.translation().y(), std::atan2(X(1, 0), X(0, 0))};
-}
-
 }  // namespace
 
 class KoalaSimulation::SimClock final : public hardware::Clock {
@@ -169,7 +165,7 @@ void KoalaSimulation::Step() {
 void KoalaSimulation::Settle() {
   while (world_->now().time_since_epoch() < kSettleTime) Step();
   settled_ = world_->now().time_since_epoch();
-  X_WO_ = hardware::ToPose(Planar(world_->X_WBody("base")));
+  X_WO_ = hardware::ToPose(hardware::ToPose2(world_->X_WBody("base")));
 }
 
 hardware::Clock& KoalaSimulation::clock() { return *clock_device_; }

@@ -61,7 +61,6 @@ class KoalaSimulation {
 
   /// For truth and scoring, which the stack never reaches.
   World& world() { return *world_; }
-  const VirtualHead& virtual_head() const { return *head_; }
 
   /// What one eye would see now without noise: depth and ids.
   RenderedView RenderTruth(hardware::Eye eye);

@@ -38,10 +38,9 @@ KoalaPlant::KoalaPlant(World& world, const KoalaPlantConfig& config)
     : world_(world),
       config_(config),
       proximity_(world),
-      wheels_{FindWheel(hardware::Eye::kLeft), FindWheel(hardware::Eye::kRight)},
-      base_body_(world.Id(mjOBJ_BODY, "base")) {
+      wheels_{FindWheel(hardware::Eye::kLeft), FindWheel(hardware::Eye::kRight)} {
   hardware::ThrowIfAny(Validate(config));
-  const int joint = world.model().body_jntadr[base_body_];
+  const int joint = world.model().body_jntadr[world.Id(mjOBJ_BODY, "base")];
   if (joint < 0 || world.model().jnt_type[joint] != mjJNT_FREE) {
     throw SceneError(
         fmt::format("scene '{}': body 'base' needs a <freejoint/>", world.path().string()));
@@ -119,9 +118,7 @@ void KoalaPlant::SetEncoders(const WheelPulses& counts) {
 }
 
 hardware::Pose2 KoalaPlant::TruePose() const {
-  const mjtNum* position = world_.data().xpos + 3 * base_body_;
-  const mjtNum* axes = world_.data().xmat + 9 * base_body_;
-  return {position[0], position[1], std::atan2(axes[3], axes[0])};
+  return hardware::ToPose2(world_.X_WBody("base"));
 }
 
 hardware::Twist2 KoalaPlant::TrueTwist() const {

@@ -78,7 +78,6 @@ class KoalaPlant {
   KoalaPlantConfig config_;
   KoalaProximity proximity_;
   hardware::PerEye<Wheel> wheels_;
-  int base_body_;
   int base_velocity_index_;  ///< in qvel
   hardware::WheelSpeeds target_;
   hardware::WheelSpeeds set_point_;

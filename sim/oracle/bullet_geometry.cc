@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 static_assert(sizeof(btScalar) == sizeof(double),
               "the oracle needs Bullet in double precision: link bullet-float64");
@@ -129,6 +130,20 @@ std::string GeomLabel(const mjModel& model, int geom) {
   const char* body_name = mj_id2name(&model, mjOBJ_BODY, body);
   return fmt::format("geom {} of body {}", geom,
                      body_name ? fmt::format("'{}'", body_name) : fmt::format("{}", body));
+}
+
+bool IsFloor(const mjModel& model, int geom) {
+  const auto named_floor = [&model](int type, int id) {
+    const char* name = mj_id2name(&model, type, id);
+    return name != nullptr && std::string_view(name) == "floor";
+  };
+  if (named_floor(mjOBJ_GEOM, geom) || named_floor(mjOBJ_BODY, model.geom_bodyid[geom]))
+    return true;
+  if (model.geom_type[geom] != mjGEOM_PLANE || model.geom_bodyid[geom] != 0) return false;
+  mjtNum rotation[9];
+  mju_quat2Mat(rotation, model.geom_quat + 4 * geom);
+  constexpr double kCosTenDegrees = 0.9848;
+  return rotation[8] > kCosTenDegrees;
 }
 
 }  // namespace horopter::sim

@@ -28,6 +28,10 @@ hardware::Pose PoseFromMujoco(const mjtNum position[3], const mjtNum rotation[9]
 /// @throws std::invalid_argument naming a geom of a type that has no such shape (height field).
 std::unique_ptr<btConvexShape> MakeConvexShape(const mjModel& model, int geom);
 
+/// What a robot stands on, and so no obstacle: geoms named "floor" or of a body named "floor", and
+/// planes of the world that face up (within 10 degrees). Other planes are walls.
+bool IsFloor(const mjModel& model, int geom);
+
 /// The geom's name, or where to find it when it has none: "geom 12 of body 'shelf'".
 std::string GeomLabel(const mjModel& model, int geom);
 

@@ -48,9 +48,7 @@ Geom MakeGeom(const mjModel& model, int id) {
     geom.plane_half_width_m = model.geom_size[3 * id];
     geom.plane_half_length_m = model.geom_size[3 * id + 1];
   }
-  const char* body_name = mj_id2name(&model, mjOBJ_BODY, geom.body);
-  geom.floor = !geom.shape || geom.label == "floor" ||
-               (body_name != nullptr && std::string(body_name) == "floor");
+  geom.floor = IsFloor(model, id);
   return geom;
 }
 
@@ -136,9 +134,13 @@ bool CollisionOracle::Scene::Approach(int robot_body, const Pose& X_WnewWold,
     const PlacedShape mine_placed = mine->PlacedAt(X_WnewWold * mine->X_WG);
     for (const Geom* other : others) {
       if (!CanCollide(*mine, *other)) continue;
-      const PlacedShape other_placed = other->placed();
-      if (DistanceAtLeast(mine_placed, other_placed) > std::max(best->distance_m, 0.0)) continue;
-      const ClosestPoints closest = Closest(mine_placed, other_placed);
+      if (other->shape &&
+          DistanceAtLeast(mine_placed, other->placed()) > std::max(best->distance_m, 0.0)) {
+        continue;
+      }
+      const ClosestPoints closest = other->shape
+                                        ? Closest(mine_placed, other->placed())
+                                        : ClosestToPlane(mine_placed, ToBullet(other->X_WG));
       if (closest.distance_m >= best->distance_m) continue;
       *best = {closest.distance_m, mine->label, other->label, FromBullet(closest.p_WA),
                FromBullet(closest.p_WB)};

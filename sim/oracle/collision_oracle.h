@@ -52,7 +52,7 @@ struct ClearanceOptions {
 /// length on flat faces and 5e-5 on round ones. It keeps the poses of the last Sync() and looks at
 /// MuJoCo for nothing else: where the two disagree, one of them is wrong.
 ///
-/// The floor is no obstacle: planes, and geoms named "floor" or of a body named "floor".
+/// The floor is no obstacle (IsFloor()); a plane that stands upright is a wall, and is one.
 class CollisionOracle {
  public:
   /// Copies what it needs of the model, which may be changed or go afterwards.

@@ -168,12 +168,7 @@ TEST(NavigatorDrive, SameInputsGiveTheSameDecisions) {
 /// The paper's rule with none of the additions but the stops, on what its first experiment shows:
 /// one frontal obstacle with room beside it.
 TEST(NavigatorDrive, ThePapersRuleAloneGetsRoundAFrontalObstacle) {
-  NavigatorConfig paper;
-  paper.obstacle_test = ObstacleTest::kCentralImage;
-  paper.stop_distance_m = paper.slow_distance_m = 0;
-  paper.side_hold_m = 0;
-  paper.side_switch_ratio = 1;
-  paper.memory.keep_s = 0;
+  NavigatorConfig paper = NavigatorConfig::Paper();
   paper.avoid_max_m = 1.4;
   paper.obstacle_distance_m = 1.2;
   paper.strips.central_fraction = 0.6;

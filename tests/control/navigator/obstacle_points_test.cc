@@ -60,7 +60,7 @@ TEST(ObstaclePoints, DepthIsTheForwardDistance) {
   vision::PointField field = Full({2, 1, 0.2f});
   field.points(0, 0) = {kNan, kNan, kNan};
   field.points(8, 8) = {2, 1, 0};
-  const cv::Mat1f depth = ObstacleDepth(field, {});
+  const cv::Mat1f depth = ObstacleDepth(Split(field, {}));
   EXPECT_FLOAT_EQ(depth(4, 4), 2);
   EXPECT_TRUE(std::isnan(depth(0, 0)));
   EXPECT_TRUE(std::isnan(depth(8, 8)));
@@ -83,9 +83,9 @@ TEST(ObstaclePoints, ValidateNamesEveryBadField) {
 TEST(SceneView, RefusesLabelsOfAnotherSize) {
   vision::RegionMap regions;
   regions.labels = cv::Mat1i(9, 8, 0);
-  EXPECT_THROW((void)MakeSceneView({}, regions, Full({1, 0, 0}), {}), std::invalid_argument);
+  EXPECT_THROW((void)MakeSceneView({}, regions, Split(Full({1, 0, 0}), {})), std::invalid_argument);
   regions.labels = cv::Mat1i(9, 9, 0);
-  EXPECT_EQ(MakeSceneView({}, regions, Full({1, 0, 0}), {}).size(), cv::Size(9, 9));
+  EXPECT_EQ(MakeSceneView({}, regions, Split(Full({1, 0, 0}), {})).size(), cv::Size(9, 9));
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ class ToyWorld {
         if (range <= to_floor) regions.labels(v, u) = label;
       }
     }
-    return MakeSceneView(t, regions, points, ObstacleConfig{});
+    return MakeSceneView(t, regions, Split(points, {}));
   }
 
  private:

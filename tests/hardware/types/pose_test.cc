@@ -39,5 +39,15 @@ TEST(OpticalToBody, IsARotationThatTakesForwardRightAndDownToTheirBodyAxes) {
   EXPECT_EQ(R * Vector3d::UnitY(), -Vector3d::UnitZ());  // down is minus up
 }
 
+TEST(Pose, PlanarPoseSurvivesLiftingAndTilting) {
+  const Pose2 pose{1, -2, 2.5};
+  Pose X = ToPose(pose, 0.3);
+  X.linear() = X.linear() * Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY());  // nose down
+  const Pose2 back = ToPose2(X);
+  EXPECT_NEAR(back.x_m, pose.x_m, 1e-12);
+  EXPECT_NEAR(back.y_m, pose.y_m, 1e-12);
+  EXPECT_NEAR(back.heading_rad, pose.heading_rad, 1e-12);
+}
+
 }  // namespace
 }  // namespace horopter::hardware

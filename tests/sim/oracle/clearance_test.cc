@@ -112,5 +112,21 @@ TEST(Clearance, OfAnEmptyPathIsTheSearchLimit) {
   EXPECT_EQ(along.nearest.distance_m, ClearanceOptions{}.max_distance_m);
 }
 
+TEST(Clearance, UprightPlaneIsAWallAndALevelOneTheFloor) {
+  const auto world = World::FromXml(R"(
+<mujoco>
+  <worldbody>
+    <geom type="plane" size="5 5 1"/>
+    <geom name="left_wall" type="plane" size="5 5 1" pos="0 1 0" xyaxes="1 0 0 0 0 1"/>
+    <body name="robot"><geom name="hull" type="box" size="0.2 0.3 0.1" pos="0 0 0.1"/></body>
+  </worldbody>
+</mujoco>)");
+  CollisionOracle oracle(world->model());
+  oracle.Sync(world->data());
+  const Clearance clearance = oracle.ClearanceOf(world->Id(mjOBJ_BODY, "robot"));
+  EXPECT_NEAR(clearance.distance_m, 0.7, 1e-9);
+  EXPECT_EQ(clearance.other_geom, "left_wall");
+}
+
 }  // namespace
 }  // namespace horopter::sim
