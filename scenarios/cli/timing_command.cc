@@ -58,7 +58,8 @@ Command AddTimingCommand(CLI::App& parent) {
   app->footer(
       "\nThe median over the runs' medians, and the worst of their 95th percentiles.\n"
       "\nExample:\n"
-      "  horopter run scenarios/ --out results/timing && horopter timing results/timing");
+      "  horopter run scenarios/ --out results/timing\n"
+      "  horopter timing results/timing");
   return {app, [folder] {
             PrintMarkdown(ReadSuiteSummary(*folder));
             return static_cast<int>(ExitCode::kPassed);

@@ -48,9 +48,9 @@ class Estimators : public ::testing::TestWithParam<Choice> {
 };
 
 INSTANTIATE_TEST_SUITE_P(AllMethods, Estimators,
-                         ::testing::Values(Choice("v1", "checked"), Choice("v1", "cautious"),
-                                           Choice("v1", "paper_2009"), Choice("dis", "medium"),
-                                           Choice("dis", "fast"), Choice("dis", "ultrafast")),
+                         ::testing::Values(Choice("v1", "checked"), Choice("v1", "paper_2009"),
+                                           Choice("dis", "medium"), Choice("dis", "fast"),
+                                           Choice("dis", "ultrafast")),
                          [](const auto& instance) {
                            return std::string(instance.param.first) + "_" + instance.param.second;
                          });

@@ -182,5 +182,18 @@ TEST(V1Energy, AnySizeIsAccepted) {
   }
 }
 
+TEST(V1Energy, CautiousIsPreciseAndLosesLittleButTheBorder) {
+  const V1Config config = V1Config::Preset("cautious");
+  const SyntheticPair pair = ShiftedPair({320, 240}, -5, 1.5);
+  const DisparityField field = V1EnergyEstimator(config).Estimate(pair.left, pair.right);
+  const WarpScore score = ScoreWarp(field, Shift(-5, 1.5));
+  EXPECT_LT(score.median_error_px, 0.05);
+  const cv::Rect interior(config.border_px + 5, config.border_px, 320 - 2 * config.border_px - 5,
+                          240 - 2 * config.border_px - 2);
+  EXPECT_GT(cv::countNonZero(field.valid(interior)), 0.9 * interior.area());
+  EXPECT_EQ(cv::countNonZero(field.valid.colRange(0, config.border_px)), 0);
+  EXPECT_EQ(cv::countNonZero(field.valid.rowRange(0, config.border_px)), 0);
+}
+
 }  // namespace
 }  // namespace horopter::vision
