@@ -117,11 +117,31 @@ FrameTruth KoalaTruth::AtCapture() {
     const sim::RenderedView view = simulation_.RenderTruth(hardware::Eye::kLeft);
     FrameTruth truth;
     truth.depth_m = view.depth;
-    const mjModel& model = simulation_.world().model();
-    const int board = mj_name2id(&model, mjOBJ_GEOM, "board");
-    if (board >= 0) truth.board = view.ids == board;
+    truth.board = BoardPixels(view);
     return truth;
   });
+}
+
+cv::Mat1b KoalaTruth::BoardPixels(const sim::RenderedView& view) const {
+  const sim::World& world = simulation_.world();
+  const int board = mj_name2id(&world.model(), mjOBJ_GEOM, "board");
+  const int pattern = mj_name2id(&world.model(), mjOBJ_SITE, "board_pattern");
+  if (board < 0 || pattern < 0) return {};
+  const hardware::Pose X_WS = sim::PoseFromMujoco(world.data().site_xpos + 3 * pattern,
+                                                  world.data().site_xmat + 9 * pattern);
+  const hardware::Pose X_SC = X_WS.inverse() * world.X_WCamera(ToString(hardware::Eye::kLeft));
+  const Eigen::Map<const Eigen::Vector3d> half(world.model().site_size + 3 * pattern);
+  cv::Mat1b pixels = cv::Mat1b::zeros(view.ids.size());
+  for (int y = 0; y < pixels.rows; ++y) {
+    for (int x = 0; x < pixels.cols; ++x) {
+      if (view.ids(y, x) != board) continue;
+      const auto ray_C = simulation_.camera_model().Unproject(Eigen::Vector2d(x, y));
+      const Eigen::Vector3d p_S = X_SC * Eigen::Vector3d(view.depth(y, x) * *ray_C);
+      const bool inside = (p_S.cwiseAbs().tail<2>() - half.tail<2>()).maxCoeff() <= 0;
+      pixels(y, x) = inside ? 255 : 0;
+    }
+  }
+  return pixels;
 }
 
 PlanRecord KoalaTruth::Plan() {

@@ -28,6 +28,8 @@ class KoalaTruth final : public TruthProbe {
   using GeomPair = std::pair<int, int>;
 
   void CountContacts(const sim::World& world);
+  /// Where the left eye's view shows geom "board" within site "board_pattern".
+  cv::Mat1b BoardPixels(const sim::RenderedView& view) const;
 
   sim::KoalaSimulation& simulation_;
   hardware::StageTimes& times_;

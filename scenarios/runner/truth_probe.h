@@ -13,7 +13,7 @@ namespace horopter::scenarios {
 /// The truth about one frame. Maps have the left image's size.
 struct FrameTruth {
   cv::Mat1f depth_m;  ///< along the left optical axis; +inf where nothing is
-  cv::Mat1b board;    ///< 255 on the scene's geom "board"; empty when it has none
+  cv::Mat1b board;    ///< 255 on the squares of the scene's chessboard; empty when it has none
 };
 
 /// What scoring may ask of the world. Scoring alone holds one; a backend without truth has none.

@@ -61,6 +61,8 @@ class KoalaSimulation {
 
   /// For truth and scoring, which the stack never reaches.
   World& world() { return *world_; }
+  const World& world() const { return *world_; }
+  const hardware::CameraModel& camera_model() const { return config_.camera; }
 
   /// What one eye would see now without noise: depth and ids.
   RenderedView RenderTruth(hardware::Eye eye);
