@@ -70,10 +70,10 @@ std::vector<Metric> MakeMetrics() {
                .min = -kUnbounded});
   m.push_back({.name = "board.depth_error.mean",
                .unit = "m",
-               .doc = "magnitude of the mean signed depth error over the board"});
+               .doc = "magnitude of the mean signed depth error over the board's squares"});
   m.push_back({.name = "board.depth_error.std",
                .unit = "m",
-               .doc = "standard deviation of the depth error over the board"});
+               .doc = "standard deviation of the depth error over the board's squares"});
   AddFamily(m,
             {.name = "fixation.error_deg",
              .unit = "deg",
