@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <opencv2/core/utility.hpp>
 #include <sstream>
 
 #include "scenarios/format/scenario_format.h"
@@ -86,6 +87,38 @@ TEST_F(RunScenarioTest, SameSeedGivesTheSameImagesDecisionsAndSummary) {
     EXPECT_EQ(first.decision_hash, other->decision_hash);
     EXPECT_EQ(SuiteText(Folder("a"), first), SuiteText(Folder("b"), *other));
   }
+}
+
+TEST_F(RunScenarioTest, AvoidingAnObstacleIsTheSameOnOneThread) {
+  Scenario scenario = ParseScenario(
+      fs::path(HOROPTER_SOURCE_DIR) / "scenarios/koala/first_waypoint.yaml", {ScenesDir()});
+  scenario.time_limit_s = 5;
+  const RunSummary threaded = Play(scenario, "threaded");
+  setenv("LP_NUM_THREADS", "0", 1);
+  cv::setNumThreads(1);
+  const RunSummary single = Play(scenario, "single");
+  cv::setNumThreads(-1);
+  unsetenv("LP_NUM_THREADS");
+
+  std::ostringstream frames;
+  frames << std::ifstream(Folder("threaded") / "frames.csv").rdbuf();
+  EXPECT_THAT(frames.str(), testing::HasSubstr("avoiding"));
+  EXPECT_EQ(threaded.image_hash, single.image_hash);
+  EXPECT_EQ(threaded.decision_hash, single.decision_hash);
+  EXPECT_EQ(threaded.metrics, single.metrics);
+}
+
+TEST_F(RunScenarioTest, EncoderWithoutStepsStillSettles) {
+  Scenario scenario = Short();
+  scenario.head.encoder_step_deg = 0;
+  EXPECT_EQ(Play(scenario, "run").outcome, Outcome::kPassed);
+}
+
+TEST_F(RunScenarioTest, SlowVisionStillDrives) {
+  Scenario scenario = Short();
+  scenario.vision.latency_s = 1.2;
+  scenario.time_limit_s = 20;
+  EXPECT_EQ(Play(scenario, "run").outcome, Outcome::kPassed);
 }
 
 TEST_F(RunScenarioTest, AnotherSeedGivesOtherImages) {
