@@ -10,10 +10,14 @@ enum class Lifecycle { kUnconfigured, kInactive, kActive, kFault };
 
 inline const char* ToString(Lifecycle s) {
   switch (s) {
-    case Lifecycle::kUnconfigured: return "unconfigured";
-    case Lifecycle::kInactive: return "inactive";
-    case Lifecycle::kActive: return "active";
-    case Lifecycle::kFault: return "fault";
+    case Lifecycle::kUnconfigured:
+      return "unconfigured";
+    case Lifecycle::kInactive:
+      return "inactive";
+    case Lifecycle::kActive:
+      return "active";
+    case Lifecycle::kFault:
+      return "fault";
   }
   return "?";
 }

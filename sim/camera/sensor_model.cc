@@ -67,8 +67,8 @@ SensorModel::SensorModel(const SensorProfile& profile, std::uint64_t seed, hardw
       sigma_(256) {
   hardware::ThrowIfAny(profile.Validate());
   for (int s = 0; s < 256; ++s) {
-    sigma_[s] = static_cast<float>(std::sqrt(profile.read_noise_dn * profile.read_noise_dn +
-                                             profile.shot_gain_dn * s));
+    sigma_[s] = static_cast<float>(
+        std::sqrt(profile.read_noise_dn * profile.read_noise_dn + profile.shot_gain_dn * s));
   }
 }
 

@@ -117,9 +117,7 @@ void KoalaPlant::SetEncoders(const WheelPulses& counts) {
   wheels_.right.zero_rad = zero(wheels_.right, counts.right);
 }
 
-hardware::Pose2 KoalaPlant::TruePose() const {
-  return hardware::ToPose2(world_.X_WBody("base"));
-}
+hardware::Pose2 KoalaPlant::TruePose() const { return hardware::ToPose2(world_.X_WBody("base")); }
 
 hardware::Twist2 KoalaPlant::TrueTwist() const {
   // A free joint's linear velocity is in W, its angular velocity in the body's frame.

@@ -14,8 +14,9 @@ namespace horopter::sim {
 /// What a seed varies, as a laboratory would from one day to the next.
 struct VariationConfig {
   double obstacle_shift_m = 0.15;  ///< radius of the disc within which an obstacle moves; 0: none
-  double heading_rad = 5 * M_PI / 180;  ///< the start heading turns by up to this, either way; 0: none
-  bool textures = true;            ///< painted by the seed; false: as seed 0 paints them
+  double heading_rad =
+      5 * M_PI / 180;    ///< the start heading turns by up to this, either way; 0: none
+  bool textures = true;  ///< painted by the seed; false: as seed 0 paints them
 };
 
 /// What was varied, for the run's record.

@@ -25,7 +25,8 @@ RunSummary NamedRun(const std::string& name, Outcome outcome) {
 
 TEST(WriteSuite, ReadsBackInOrderAndCanGrow) {
   const ScratchFolder scratch;
-  std::vector<RunSummary> runs = {NamedRun("b", Outcome::kPassed), NamedRun("a", Outcome::kIncomplete)};
+  std::vector<RunSummary> runs = {NamedRun("b", Outcome::kPassed),
+                                  NamedRun("a", Outcome::kIncomplete)};
   WriteSuite(scratch.path() / "new" / "suite", runs);
   runs[1] = NamedRun("a", Outcome::kFailed);
   WriteSuite(scratch.path() / "new" / "suite", runs);
