@@ -8,6 +8,7 @@
 #include "sim/random/random_stream.h"
 #include "sim/textures/printed_painters.h"
 #include "sim/textures/tiling_noise.h"
+#include "sim/textures/workspace_painters.h"
 
 namespace horopter::sim {
 
@@ -156,7 +157,9 @@ const std::map<std::string, Maker>& Makers() {
       {"cardboard", CardboardPainter},
       {"carpet", Carpet},
       {"chessboard", ChessboardPainter},
+      {"die", DiePainter},
       {"fabric", Fabric},
+      {"grass", GrassPainter},
       {"marble", Marble},
       {"paper_print", PaperPrintPainter},
       {"parquet", Parquet},
