@@ -2,35 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
-#include <string>
 
+#include "control/kinematics/fixation.h"
 #include "hardware/types/head_angles.h"
 #include "hardware/types/head_geometry.h"
 
 namespace horopter::control {
-
-/// Why a head cannot fixate a point.
-enum class FixationFault {
-  kNone,
-  kNotFinite,
-  kBehind,        ///< not in front of the axes that would have to turn towards it
-  kTooClose,      ///< nearer than half the baseline, or inside the head's own lever arms
-  kBeyondLimits,  ///< an axis cannot turn so far
-};
-
-/// Angles that point both eyes at a target, or why there are none.
-struct Fixation {
-  /// What to command. Within the limits always: beyond them every axis is clamped, which looks
-  /// as near the target as each axis can. With kNotFinite, kBehind or kTooClose it is the neck
-  /// given and zero eyes.
-  hardware::HeadAngles angles;
-  FixationFault fault = FixationFault::kNone;
-  std::optional<hardware::HeadAxis> axis;  ///< the first axis beyond its limits, with kBeyondLimits
-  std::string why;                         ///< one line with the numbers; empty when reachable
-
-  bool reachable() const { return fault == FixationFault::kNone; }
-};
 
 /// Fixates with eyes that pan and tilt independently, the neck staying where it is (Koala).
 ///
@@ -43,10 +20,7 @@ Fixation FixateWithEyes(const hardware::HeadGeometry& geometry, const hardware::
 /// Fixates with neck pan, elevation and a vergence per eye (Yorick): the neck turns the eyes' plane
 /// through the target, symmetrically in front, and the vergences meet there.
 ///
-/// Closed form of the four-axis model (Davison's SceneLib, "full Yorick"), in body axes: with the
-/// target (x, y, z) seen from the neck's pan axis, pan = atan2(y, x) and r = hypot(x, y) come
-/// first, then, with A = hypot(r, z - pan_to_tilt), elevation = atan2(z - pan_to_tilt, r) -
-/// asin(tilt_to_eyes / A), and the vergences -+atan2(baseline / 2, sqrt(A^2 - tilt_to_eyes^2)).
+/// LookAt() with its defaults, for targets in front of the neck's pan axis.
 ///
 /// A head without eye axes (NAO) gets the neck's angles alone: the middle of its two parallel
 /// optical axes then passes through the target.

@@ -38,6 +38,7 @@ std::vector<hardware::FieldError> Validate(const HeadGeometry& g) {
     }
   };
   length("head.pan_to_tilt_m", g.pan_to_tilt_m);
+  length("head.pan_to_tilt_forward_m", g.pan_to_tilt_forward_m);
   length("head.tilt_to_eyes_m", g.tilt_to_eyes_m);
   length("head.axis_to_optical_centre_m", g.axis_to_optical_centre_m);
   if (!std::isfinite(g.baseline_m) || g.baseline_m <= 0) {
@@ -58,7 +59,7 @@ std::vector<hardware::FieldError> Validate(const HeadGeometry& g) {
 Pose HeadPose(const HeadGeometry& g, const PanTilt& neck) {
   const Eigen::AngleAxisd pan(neck.pan_rad, Eigen::Vector3d::UnitZ());
   const Eigen::AngleAxisd tilt(neck.tilt_rad, Eigen::Vector3d::UnitY());
-  return g.X_BN * pan * Eigen::Translation3d(0, 0, g.pan_to_tilt_m) * tilt *
+  return g.X_BN * pan * Eigen::Translation3d(g.pan_to_tilt_forward_m, 0, g.pan_to_tilt_m) * tilt *
          Eigen::Translation3d(0, 0, g.tilt_to_eyes_m);
 }
 
