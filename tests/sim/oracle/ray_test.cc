@@ -95,15 +95,5 @@ TEST(OracleRay, PassesThroughWhatHoldsTheEyeAndWhatIsIgnored) {
   EXPECT_EQ(scene.oracle().CastRay({0, 0, 0}, {3, 0, 0}, scene.Body("head"))->name, "wall");
 }
 
-TEST(OracleRay, VisibleMeansNothingBeforeTheSurfaceLookedAt) {
-  OracleScene scene(R"(
-      <geom name="board" type="box" size="0.01 0.5 0.5" pos="2 0 0"/>
-      <geom name="post" type="cylinder" size="0.05 1" pos="1 0 0"/>)");
-  const Vector3d eye(0, 0, 0);
-  EXPECT_TRUE(scene.oracle().Visible(eye, {1.99, 0.3, 0}));
-  EXPECT_FALSE(scene.oracle().Visible(eye, {1.99, 0.05, 0})) << "behind the post";
-  EXPECT_FALSE(scene.oracle().Visible(eye, {2.01, 0.3, 0})) << "the board's far side";
-}
-
 }  // namespace
 }  // namespace horopter::sim
