@@ -109,7 +109,7 @@ std::unique_ptr<btConvexShape> MakeConvexShape(const mjModel& model, int geom) {
     case mjGEOM_CAPSULE:
       return std::make_unique<btCapsuleShapeZ>(size[0], 2 * size[1]);
     case mjGEOM_CYLINDER:
-      return MakeUprightCylinder(size[0], size[1]);
+      return WithoutMargin<btCylinderShapeZ>(btVector3(size[0], size[0], size[1]));
     case mjGEOM_BOX:
       return WithoutMargin<btBoxShape>(btVector3(size[0], size[1], size[2]));
     case mjGEOM_ELLIPSOID:
@@ -122,10 +122,6 @@ std::unique_ptr<btConvexShape> MakeConvexShape(const mjModel& model, int geom) {
                       "build it from boxes or meshes, or give it contype=\"0\" conaffinity=\"0\"",
                       GeomLabel(model, geom)));
   }
-}
-
-std::unique_ptr<btConvexShape> MakeUprightCylinder(double radius_m, double half_height_m) {
-  return WithoutMargin<btCylinderShapeZ>(btVector3(radius_m, radius_m, half_height_m));
 }
 
 std::string GeomLabel(const mjModel& model, int geom) {

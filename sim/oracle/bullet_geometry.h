@@ -28,9 +28,6 @@ hardware::Pose PoseFromMujoco(const mjtNum position[3], const mjtNum rotation[9]
 /// @throws std::invalid_argument naming a geom of a type that has no such shape (height field).
 std::unique_ptr<btConvexShape> MakeConvexShape(const mjModel& model, int geom);
 
-/// A cylinder about z, without a margin. @pre both are positive
-std::unique_ptr<btConvexShape> MakeUprightCylinder(double radius_m, double half_height_m);
-
 /// What a robot stands on, and so no obstacle: geoms named "floor" or of a body named "floor", and
 /// planes of the world that face up (within 10 degrees). Other planes are walls.
 bool IsFloor(const mjModel& model, int geom);

@@ -65,19 +65,6 @@ ClosestPoints ClosestOf(const Geom& a, const Geom& b) {
   return closest;
 }
 
-/// Lowers `best` when the solid is nearer to `other`.
-void Approach(const PlacedShape& solid, const std::string& label, const Geom& other,
-              Clearance* best) {
-  if (other.shape && DistanceAtLeast(solid, other.placed()) > std::max(best->distance_m, 0.0)) {
-    return;
-  }
-  const ClosestPoints closest =
-      other.shape ? Closest(solid, other.placed()) : ClosestToPlane(solid, ToBullet(other.X_WG));
-  if (closest.distance_m >= best->distance_m) return;
-  *best = {closest.distance_m, label, other.label, FromBullet(closest.p_WA),
-           FromBullet(closest.p_WB)};
-}
-
 /// As MuJoCo's rays see a plane: its front face, and no farther than its rectangle.
 std::optional<RayEntry> CastRayAtPlane(const Geom& plane, const Eigen::Vector3d& from_W,
                                        const Eigen::Vector3d& direction_W, double length_m) {
@@ -125,12 +112,43 @@ struct CollisionOracle::Scene {
     return body == root;
   }
 
-  bool Ignores(const ClearanceOptions& options, const Geom& geom) const {
-    const auto& ignored = options.ignored_geoms;
-    return std::find(ignored.begin(), ignored.end(), geom.id) != ignored.end() ||
-           (options.ignored_body >= 0 && IsBelow(geom.body, options.ignored_body));
-  }
+  /// Lowers `best` where a geom of the robot, moved by X_W'W, is nearer to another; true if so.
+  bool Approach(int robot_body, const Pose& X_WnewWold, const ClearanceOptions& options,
+                Clearance* best) const;
 };
+
+bool CollisionOracle::Scene::Approach(int robot_body, const Pose& X_WnewWold,
+                                      const ClearanceOptions& options, Clearance* best) const {
+  std::vector<const Geom*> robot, others;
+  for (const Geom& geom : geoms) {
+    const auto& ignored = options.ignored_geoms;
+    if (std::find(ignored.begin(), ignored.end(), geom.id) != ignored.end()) continue;
+    if (IsBelow(geom.body, robot_body)) {
+      if (geom.shape) robot.push_back(&geom);
+    } else if (!geom.floor) {
+      others.push_back(&geom);
+    }
+  }
+  bool nearer = false;
+  for (const Geom* mine : robot) {
+    const PlacedShape mine_placed = mine->PlacedAt(X_WnewWold * mine->X_WG);
+    for (const Geom* other : others) {
+      if (!CanCollide(*mine, *other)) continue;
+      if (other->shape &&
+          DistanceAtLeast(mine_placed, other->placed()) > std::max(best->distance_m, 0.0)) {
+        continue;
+      }
+      const ClosestPoints closest = other->shape
+                                        ? Closest(mine_placed, other->placed())
+                                        : ClosestToPlane(mine_placed, ToBullet(other->X_WG));
+      if (closest.distance_m >= best->distance_m) continue;
+      *best = {closest.distance_m, mine->label, other->label, FromBullet(closest.p_WA),
+               FromBullet(closest.p_WB)};
+      nearer = true;
+    }
+  }
+  return nearer;
+}
 
 CollisionOracle::CollisionOracle(const mjModel& model) : scene_(std::make_unique<Scene>()) {
   for (int id = 0; id < model.ngeom; ++id) {
@@ -160,43 +178,24 @@ double CollisionOracle::Distance(int geom1, int geom2) const {
 
 Clearance CollisionOracle::ClearanceOf(int robot_body, const ClearanceOptions& options) const {
   scene_->RequireBody(robot_body);
-  if (options.ignored_body != -1) scene_->RequireBody(options.ignored_body);
   Clearance best;
   best.distance_m = options.max_distance_m;
-  for (const Geom& mine : scene_->geoms) {
-    if (!mine.shape || !scene_->IsBelow(mine.body, robot_body)) continue;
-    if (scene_->Ignores(options, mine)) continue;
-    for (const Geom& other : scene_->geoms) {
-      if (other.floor || scene_->IsBelow(other.body, robot_body)) continue;
-      if (scene_->Ignores(options, other) || !CanCollide(mine, other)) continue;
-      Approach(mine.placed(), mine.label, other, &best);
-    }
-  }
+  scene_->Approach(robot_body, Pose::Identity(), options, &best);
   return best;
 }
 
-Clearance CollisionOracle::ClearanceOf(const UprightCylinder& cylinder,
-                                       const Eigen::Vector2d& axis_W,
-                                       const ClearanceOptions& options) const {
-  const double half_height = (cylinder.top_m - cylinder.bottom_m) / 2;
-  if (!(cylinder.radius_m > 0 && half_height > 0)) {
-    throw std::invalid_argument(
-        fmt::format("collision oracle: a cylinder of radius {} m from {} m to {} m has no volume",
-                    cylinder.radius_m, cylinder.bottom_m, cylinder.top_m));
-  }
-  if (options.ignored_body != -1) scene_->RequireBody(options.ignored_body);
-  const auto shape = MakeUprightCylinder(cylinder.radius_m, half_height);
-  Pose X_WC = Pose::Identity();
-  X_WC.translation() << axis_W, cylinder.bottom_m + half_height;
-  const PlacedShape solid{shape.get(), ToBullet(X_WC)};
-  Clearance best;
-  best.distance_m = options.max_distance_m;
-  for (const Geom& other : scene_->geoms) {
-    if (!other.floor && !scene_->Ignores(options, other)) {
-      Approach(solid, "cylinder", other, &best);
+PathClearance CollisionOracle::ClearanceAlong(int robot_body, std::span<const Pose> path,
+                                              const ClearanceOptions& options) const {
+  scene_->RequireBody(robot_body);
+  PathClearance result;
+  result.nearest.distance_m = options.max_distance_m;
+  const Pose X_BWold = scene_->X_WB[robot_body].inverse();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (scene_->Approach(robot_body, path[i] * X_BWold, options, &result.nearest)) {
+      result.pose_index = i;
     }
   }
-  return best;
+  return result;
 }
 
 std::optional<RayHit> CollisionOracle::CastRay(const Eigen::Vector3d& from_W,

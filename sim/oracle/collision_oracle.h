@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,10 @@ struct Clearance {
   Eigen::Vector3d p_WOther = Eigen::Vector3d::Zero();
 };
 
-/// Stands in for a robot of any heading: a solid cylinder about the vertical.
-struct UprightCylinder {
-  double radius_m = 0;
-  double bottom_m = 0;  ///< height above W's ground
-  double top_m = 0;
+/// The clearance of a path, and where on it.
+struct PathClearance {
+  Clearance nearest;
+  std::size_t pose_index = 0;  ///< into the path; 0 when nothing is within the search limit
 };
 
 struct RayHit {
@@ -40,7 +40,6 @@ struct RayHit {
 
 struct ClearanceOptions {
   std::vector<int> ignored_geoms{};  ///< besides the floor
-  int ignored_body = -1;             ///< with all below it; -1: none
   double max_distance_m = 10;        ///< no farther than this is searched
 };
 
@@ -76,12 +75,10 @@ class CollisionOracle {
   /// @throws std::out_of_range when there is no such body.
   Clearance ClearanceOf(int robot_body, const ClearanceOptions& options = {}) const;
 
-  /// Smallest distance between an upright cylinder and all geoms, except the floor: would a robot
-  /// fit here? `robot_geom` is "cylinder".
-  /// @param axis_W where its axis stands on the ground
-  /// @throws std::invalid_argument when it has no positive radius and height
-  Clearance ClearanceOf(const UprightCylinder& cylinder, const Eigen::Vector2d& axis_W,
-                        const ClearanceOptions& options = {}) const;
+  /// The same with the robot's root body at each pose X_WB in turn, its joints and all else as of
+  /// the last Sync(). Says nothing of what lies between two poses: sample the path finely.
+  PathClearance ClearanceAlong(int robot_body, std::span<const hardware::Pose> path,
+                               const ClearanceOptions& options = {}) const;
 
   /// The first geom on the segment, floor included. Geoms that contain `from_W` and those of the
   /// subtree below `ignored_body` (-1: none) are transparent.

@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
+#include <vector>
 
 #include "tests/sim/oracle/oracle_scene.h"
 
 namespace horopter::sim {
 namespace {
+
+using Eigen::Vector3d;
+using hardware::Pose;
 
 constexpr double kExact_m = 1e-9;
 
@@ -81,25 +84,32 @@ TEST(Clearance, OfASubtreeCountsTheRestOfTheRobotAsOthers) {
   EXPECT_THROW(scene.oracle().ClearanceOf(77), std::out_of_range);
 }
 
-TEST(Clearance, OfACylinderIsThatOfARoundRobotStandingThere) {
+TEST(Clearance, AlongAPathIsThatOfItsWorstPose) {
   OracleScene scene(kRoom);
-  const UprightCylinder cylinder{0.2, 0.05, 0.35};
-  const ClearanceOptions options{.ignored_body = scene.Body("robot")};
-  const Clearance at_crate = scene.oracle().ClearanceOf(cylinder, {0.1, -0.9}, options);
-  EXPECT_EQ(at_crate.other_geom, "crate");
-  EXPECT_EQ(at_crate.robot_geom, "cylinder");
-  EXPECT_NEAR(at_crate.distance_m, 1.5 - 0.2 - 0.9 - 0.2, 1e-6);
-  EXPECT_NEAR(scene.oracle().ClearanceOf(cylinder, {1.6, 0}, options).distance_m, 0.1, 1e-6);
-  EXPECT_NEAR(scene.oracle().ClearanceOf(cylinder, {1.8, 0}, options).distance_m, -0.1, 1e-5);
-  EXPECT_LT(scene.oracle().ClearanceOf(cylinder, {0.1, 0}).distance_m, 0) << "it is the robot's";
+  std::vector<Pose> path;
+  for (int i = 0; i <= 20; ++i) path.push_back(hardware::ToPose({0.1 * i - 1, -0.5, 0.1 * i}, 0.2));
+  const PathClearance along = scene.oracle().ClearanceAlong(scene.Body("robot"), path);
+
+  double least = 1e9;
+  std::size_t where = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Eigen::Quaterniond q(path[i].linear());
+    mjtNum* qpos = scene.world().mutable_data().qpos;
+    Eigen::Map<Vector3d>{qpos} = path[i].translation();
+    qpos[3] = q.w(), qpos[4] = q.x(), qpos[5] = q.y(), qpos[6] = q.z();
+    scene.Sync();
+    const double distance = scene.oracle().ClearanceOf(scene.Body("robot")).distance_m;
+    if (distance < least) least = distance, where = i;
+  }
+  EXPECT_NEAR(along.nearest.distance_m, least, kExact_m);
+  EXPECT_EQ(along.pose_index, where);
+  EXPECT_NE(along.nearest.other_geom, "");
 }
 
-TEST(Clearance, OfACylinderWithoutVolumeHasNoMeaning) {
+TEST(Clearance, OfAnEmptyPathIsTheSearchLimit) {
   OracleScene scene(kRoom);
-  EXPECT_THROW(scene.oracle().ClearanceOf({0, 0, 1}, {0, 0}), std::invalid_argument);
-  EXPECT_THROW(scene.oracle().ClearanceOf({0.1, 1, 1}, {0, 0}), std::invalid_argument);
-  EXPECT_THROW(scene.oracle().ClearanceOf({0.1, 0, 1}, {0, 0}, {.ignored_body = 99}),
-               std::out_of_range);
+  const PathClearance along = scene.oracle().ClearanceAlong(scene.Body("robot"), {});
+  EXPECT_EQ(along.nearest.distance_m, ClearanceOptions{}.max_distance_m);
 }
 
 TEST(Clearance, UprightPlaneIsAWallAndALevelOneTheFloor) {
