@@ -25,7 +25,7 @@ sim::KoalaSimulationConfig ConfigOf(const Scenario& scenario, const RobotDescrip
   }
   config.camera = hardware::CameraModel::FromHorizontalFov(
       scenario.camera.width, scenario.camera.height, scenario.camera.horizontal_fov_deg * kRadians);
-  config.sensor = sim::SensorProfile::Named(scenario.camera.sensor);
+  config.profile.noise = sim::CameraProfile::Named(scenario.camera.sensor).noise;
   config.head = {robot.head_limits, scenario.head.encoder_step_deg * kRadians,
                  scenario.head.encoder_noise_deg * kRadians, scenario.seed};
   config.base = robot.base;

@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "hardware/interfaces/camera_pair.h"
 #include "hardware/interfaces/clock.h"
@@ -17,7 +16,10 @@
 #include "hardware/types/camera_model.h"
 #include "hardware/types/head_angles.h"
 #include "hardware/types/stage_times.h"
-#include "sim/camera/sensor_model.h"
+#include "sim/backend/sim_cameras.h"
+#include "sim/backend/sim_clock.h"
+#include "sim/backend/sim_head.h"
+#include "sim/camera/camera_profile.h"
 #include "sim/head/virtual_head.h"
 #include "sim/koala/koala_plant.h"
 #include "sim/render/renderer.h"
@@ -34,7 +36,7 @@ struct KoalaSimulationConfig {
   /// Bodies to place before the start, by name, in the robot's starting frame.
   std::map<std::string, hardware::Pose> X_OBody;
   hardware::CameraModel camera = hardware::CameraModel::FromHorizontalFov(320, 240, 1.0471975512);
-  SensorProfile sensor;
+  CameraProfile profile;
   VirtualHeadConfig head;
   KoalaPlantConfig plant;
   hardware::BaseProperties base;  ///< what the base says of itself
@@ -70,28 +72,20 @@ class KoalaSimulation {
   const hardware::Pose& X_WO() const { return X_WO_; }
 
   /// Called after every physics step.
-  void OnStep(std::function<void(const World&)> observer) {
-    observers_.push_back(std::move(observer));
-  }
+  void OnStep(std::function<void(const World&)> observer);
 
  private:
-  class SimClock;
-  class SimHead;
-  class SimCameras;
   class SimBase;
 
   void Step();
   void Settle();
 
   KoalaSimulationConfig config_;
-  hardware::StageTimes& times_;
   std::unique_ptr<World> world_;
   std::unique_ptr<VirtualHead> head_;
   std::unique_ptr<KoalaPlant> plant_;
   std::unique_ptr<Renderer> renderer_;
-  std::vector<std::function<void(const World&)>> observers_;
   hardware::Pose X_WO_;
-  hardware::Duration settled_{};  ///< world time at time zero
 
   std::unique_ptr<SimClock> clock_device_;
   std::unique_ptr<SimHead> head_device_;

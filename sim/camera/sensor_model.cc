@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/camera/sensor_model.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <string>
 
 #include "sim/random/random_stream.h"
 
 namespace horopter::sim {
 namespace {
 
-constexpr int kQuantiles = 1 << 16;
+constexpr int kQuantileBits = 12;
+constexpr int kQuantiles = 1 << kQuantileBits;
+constexpr int kDrawsPerWord = 64 / kQuantileBits;
 
 /// x with Phi(x) = p, by Newton's method from the logistic approximation of the normal law.
 double NormalQuantile(double p) {
@@ -25,12 +29,20 @@ double NormalQuantile(double p) {
   return x;
 }
 
-/// Standard normal numbers at equal probabilities: 16 random bits choose one.
+/// Normal numbers at equal probabilities, scaled to a variance of exactly 1: random bits choose
+/// one. Small enough for the first-level cache.
 const std::array<float, kQuantiles>& NormalTable() {
   static const auto table = [] {
+    std::array<double, kQuantiles / 2> half;
+    double square_sum = 0;
+    for (int i = 0; i < kQuantiles / 2; ++i) {
+      half[i] = NormalQuantile((i + 0.5) / kQuantiles);
+      square_sum += half[i] * half[i];
+    }
+    const double scale = 1 / std::sqrt(square_sum / (kQuantiles / 2));
     std::array<float, kQuantiles> t;
     for (int i = 0; i < kQuantiles / 2; ++i) {
-      t[i] = static_cast<float>(NormalQuantile((i + 0.5) / kQuantiles));
+      t[i] = static_cast<float>(scale * half[i]);
       t[kQuantiles - 1 - i] = -t[i];
     }
     return t;
@@ -38,56 +50,96 @@ const std::array<float, kQuantiles>& NormalTable() {
   return table;
 }
 
+/// Fills a row with normal numbers that follow from the stream, the frame and the row alone.
+void DrawNormals(std::uint64_t stream, std::uint64_t frame, int y, int count, float* normal) {
+  constexpr std::uint64_t kRowStride = 0x9e3779b97f4a7c15ULL;
+  const auto& table = NormalTable();
+  std::uint64_t counter =
+      MixBits(stream ^ MixBits(frame)) + static_cast<std::uint64_t>(y) * kRowStride;
+  int i = 0;
+  for (; i + kDrawsPerWord <= count; i += kDrawsPerWord) {
+    std::uint64_t bits = MixBits(counter++);
+    for (int k = 0; k < kDrawsPerWord; ++k, bits >>= kQuantileBits) {
+      normal[i + k] = table[bits & (kQuantiles - 1)];
+    }
+  }
+  for (std::uint64_t bits = MixBits(counter); i < count; ++i, bits >>= kQuantileBits) {
+    normal[i] = table[bits & (kQuantiles - 1)];
+  }
+}
+
+std::uint64_t Stream(std::uint64_t seed, const char* what, std::string_view camera) {
+  return RandomStream(seed, std::string("camera.") + what + "." + std::string(camera)).Next();
+}
+
 }  // namespace
 
-std::vector<hardware::FieldError> SensorProfile::Validate() const {
-  std::vector<hardware::FieldError> errors;
-  const auto require = [&errors](const char* field, double value) {
-    if (!(value >= 0 && value < 256)) {
-      errors.push_back({field, std::to_string(value), "must be at least 0 and below 256"});
-    }
-  };
-  require("sensor.read_noise_dn", read_noise_dn);
-  require("sensor.shot_gain_dn", shot_gain_dn);
-  return errors;
-}
-
-std::vector<std::string> SensorProfile::Names() { return {"ideal", "webcam_vga"}; }
-
-SensorProfile SensorProfile::Named(std::string_view name) {
-  if (name == "ideal") return {};
-  if (name == "webcam_vga") return {"webcam_vga", 1.5, 0.053};
-  throw hardware::ConfigError(
-      {{"camera.sensor", std::string(name), "must be one of: ideal, webcam_vga"}});
-}
-
-SensorModel::SensorModel(const SensorProfile& profile, std::uint64_t seed, hardware::Eye eye)
-    : profile_(profile),
-      stream_(RandomStream(seed, std::string("camera.noise.") + ToString(eye)).Next()),
-      sigma_(256) {
+SensorModel::SensorModel(const CameraProfile& profile, const hardware::CameraModel& model,
+                         std::uint64_t seed, std::string_view camera)
+    : width_(model.width()),
+      height_(model.height()),
+      gain_(static_cast<float>(profile.exposure.gain)),
+      read_noise_(static_cast<float>(profile.noise.read_noise_dn)),
+      shot_gain_(static_cast<float>(profile.noise.shot_gain_dn)),
+      levels_(static_cast<float>((1 << std::clamp(profile.noise.bits, 1, 8)) - 1)),
+      has_gain_(profile.exposure.gain != 1 || profile.lens.vignetting != 0),
+      read_stream_(Stream(seed, "read_noise", camera)),
+      shot_stream_(Stream(seed, "shot_noise", camera)) {
   hardware::ThrowIfAny(profile.Validate());
-  for (int s = 0; s < 256; ++s) {
-    sigma_[s] = static_cast<float>(
-        std::sqrt(profile.read_noise_dn * profile.read_noise_dn + profile.shot_gain_dn * s));
+  // The loss is separable: proportional to dx^2 + dy^2, and all of it at the farthest corner.
+  const hardware::Intrinsics& in = model.intrinsics();
+  const auto square = [](double pixels, double focal) { return pixels / focal * pixels / focal; };
+  const double corner = square(std::max(in.cx, in.width - 1 - in.cx), in.fx) +
+                        square(std::max(in.cy, in.height - 1 - in.cy), in.fy);
+  const double loss = corner > 0 ? profile.exposure.gain * profile.lens.vignetting / corner : 0;
+  for (int x = 0; x < in.width; ++x) {
+    column_loss_.insert(column_loss_.end(), 3, static_cast<float>(loss * square(x - in.cx, in.fx)));
+  }
+  for (int y = 0; y < in.height; ++y) {
+    row_loss_.push_back(static_cast<float>(loss * square(y - in.cy, in.fy)));
+  }
+}
+
+void SensorModel::Expose(int y, const std::uint8_t* row, float* signal) const {
+  const float gain = gain_ - row_loss_[y];
+  const float* loss = column_loss_.data();
+  for (int i = 0; i < 3 * width_; ++i) signal[i] = row[i] * (gain - loss[i]);
+}
+
+void SensorModel::AddNoise(std::uint64_t frame, int y, float* signal, float* normal) const {
+  const int values = 3 * width_;
+  // Shot noise first: it follows the light alone.
+  if (shot_gain_ > 0) {
+    DrawNormals(shot_stream_, frame, y, values, normal);
+    for (int i = 0; i < values; ++i) signal[i] += std::sqrt(shot_gain_ * signal[i]) * normal[i];
+  }
+  if (read_noise_ > 0) {
+    DrawNormals(read_stream_, frame, y, values, normal);
+    for (int i = 0; i < values; ++i) signal[i] += read_noise_ * normal[i];
+  }
+}
+
+void SensorModel::Digitise(const float* signal, std::uint8_t* row) const {
+  const float to_level = levels_ / 255, to_grey = 255 / levels_;
+  for (int i = 0; i < 3 * width_; ++i) {
+    const float clipped = std::min(std::max(signal[i], 0.0F), 255.0F);
+    const int level = static_cast<int>(clipped * to_level + 0.5F);
+    row[i] = static_cast<std::uint8_t>(static_cast<int>(level * to_grey + 0.5F));
   }
 }
 
 void SensorModel::Apply(std::uint64_t frame, cv::Mat& bgr) const {
-  CV_Assert(bgr.type() == CV_8UC3);
-  if (profile_.read_noise_dn == 0 && profile_.shot_gain_dn == 0) return;
-  const auto& normal = NormalTable();
-  const std::uint64_t frame_stream = MixBits(stream_ ^ MixBits(frame));
-  const int values = bgr.cols * 3;
+  CV_Assert(bgr.type() == CV_8UC3 && bgr.cols == width_ && bgr.rows == height_);
+  if (ideal()) return;
   cv::parallel_for_(cv::Range(0, bgr.rows), [&](const cv::Range& rows) {
+    thread_local std::vector<float> signal, normal;  // kept from frame to frame
+    signal.resize(3 * static_cast<std::size_t>(width_));
+    normal.resize(signal.size());
     for (int y = rows.start; y < rows.end; ++y) {
       std::uint8_t* row = bgr.ptr<std::uint8_t>(y);
-      std::uint64_t counter = frame_stream + static_cast<std::uint64_t>(y) * 0x9e3779b97f4a7c15ULL;
-      for (int x = 0; x < values;) {
-        std::uint64_t bits = MixBits(counter++);
-        for (int k = 0; k < 4 && x < values; ++k, ++x, bits >>= 16) {
-          row[x] = cv::saturate_cast<std::uint8_t>(row[x] + sigma_[row[x]] * normal[bits & 0xffff]);
-        }
-      }
+      Expose(y, row, signal.data());
+      AddNoise(frame, y, signal.data(), normal.data());
+      Digitise(signal.data(), row);
     }
   });
 }

@@ -168,7 +168,7 @@ TEST(KoalaSimulation, GrabbingTwiceAtOneInstantGivesTheSameSceneWithFreshNoise) 
   const StereoFrame first = ideal.Grab(), second = ideal.Grab();
   EXPECT_TRUE(SamePixels(first, second));
   EXPECT_EQ(second.sequence, first.sequence + 1);
-  config.sensor = SensorProfile::Named("webcam_vga");
+  config.profile.noise = CameraProfile::Named("webcam_vga").noise;
   Koala noisy(config);
   EXPECT_FALSE(SamePixels(noisy.Grab(), noisy.Grab()));
 }
@@ -176,7 +176,7 @@ TEST(KoalaSimulation, GrabbingTwiceAtOneInstantGivesTheSameSceneWithFreshNoise) 
 TEST(KoalaSimulation, TheSameSeedGivesTheSameBits) {
   KoalaSimulationConfig config = KoalaInYard();
   config.seed = config.head.seed = 7;
-  config.sensor = SensorProfile::Named("webcam_vga");
+  config.profile.noise = CameraProfile::Named("webcam_vga").noise;
   config.head.encoder_noise_rad = 0.1 * kDegree;
   Koala a(config), b(config);
   for (int i = 0; i < 4; ++i) {
@@ -204,7 +204,7 @@ TEST(KoalaSimulation, EachThingThatASeedVariesChangesTheImagesByItself) {
   obstacles.camera = hardware::CameraModel::FromHorizontalFov(320, 240, 60 * kDegree);
   heading.variation.heading_rad = 5 * kDegree;
   textures.variation.textures = true;
-  noise.sensor = SensorProfile::Named("webcam_vga");
+  noise.profile.noise = CameraProfile::Named("webcam_vga").noise;
   EXPECT_FALSE(SamePixels(FirstFrame(obstacles, 1), FirstFrame(obstacles, 2)));
   EXPECT_FALSE(SamePixels(FirstFrame(heading, 1), FirstFrame(heading, 2)));
   EXPECT_FALSE(SamePixels(FirstFrame(textures, 1), FirstFrame(textures, 2)));

@@ -5,15 +5,33 @@
 
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <set>
 
 namespace horopter::sim {
 namespace {
 
-using hardware::Eye;
+const hardware::CameraModel kCamera = hardware::CameraModel::FromHorizontalFov(320, 240, 1.05);
 
 cv::Mat Grey(int level) { return cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(level)); }
 
-cv::Mat Noisy(const SensorModel& model, std::uint64_t frame, int level = 128) {
+CameraProfile Noise(double read_noise_dn, double shot_gain_dn) {
+  CameraProfile profile;
+  profile.noise = {.read_noise_dn = read_noise_dn, .shot_gain_dn = shot_gain_dn};
+  return profile;
+}
+
+CameraProfile WebcamNoise() {
+  CameraProfile profile;
+  profile.noise = CameraProfile::Named("webcam_vga").noise;
+  return profile;
+}
+
+SensorModel Sensor(const CameraProfile& profile, std::uint64_t seed = 1,
+                   std::string_view camera = "left") {
+  return SensorModel(profile, kCamera, seed, camera);
+}
+
+cv::Mat Seen(const SensorModel& model, int level = 128, std::uint64_t frame = 0) {
   cv::Mat image = Grey(level);
   model.Apply(frame, image);
   return image;
@@ -21,51 +39,58 @@ cv::Mat Noisy(const SensorModel& model, std::uint64_t frame, int level = 128) {
 
 bool Equal(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_L1) == 0; }
 
+/// What a sensor adds to a grey level, unrounded numbers in double.
+cv::Mat NoiseOf(const SensorModel& model, int level) {
+  cv::Mat noise;
+  Seen(model, level).reshape(1).convertTo(noise, CV_64F);
+  return noise - level;
+}
+
+double Correlation(const cv::Mat& a, const cv::Mat& b) {
+  return a.dot(b) / std::sqrt(a.dot(a) * b.dot(b));
+}
+
 TEST(SensorModel, IdealSensorChangesNothing) {
-  const SensorModel model(SensorProfile::Named("ideal"), 1, Eye::kLeft);
-  EXPECT_TRUE(Equal(Noisy(model, 0), Grey(128)));
+  const SensorModel model = Sensor(CameraProfile::Named("ideal"));
+  EXPECT_TRUE(model.ideal());
+  EXPECT_TRUE(Equal(Seen(model), Grey(128)));
 }
 
 TEST(SensorModel, NoiseHasTheVarianceTheProfileStates) {
-  const SensorProfile profile = SensorProfile::Named("webcam_vga");
-  const SensorModel model(profile, 1, Eye::kLeft);
-  for (const int level : {30, 128, 220}) {
-    cv::Scalar mean, deviation;
-    cv::meanStdDev(Noisy(model, 3, level).reshape(1), mean, deviation);
-    // Rounding to whole grey levels adds 1/12 to the variance.
-    const double expected = std::sqrt(profile.read_noise_dn * profile.read_noise_dn +
-                                      profile.shot_gain_dn * level + 1.0 / 12);
-    EXPECT_NEAR(mean[0], level, 0.05) << level;
-    EXPECT_NEAR(deviation[0], expected, 0.02 * expected) << level;
+  for (const CameraProfile& profile : {WebcamNoise(), Noise(2.5, 0), Noise(0, 0.1)}) {
+    const SensorModel model = Sensor(profile);
+    for (const int level : {30, 128, 220}) {
+      cv::Scalar mean, deviation;
+      cv::meanStdDev(Seen(model, level, 3).reshape(1), mean, deviation);
+      const double read = profile.noise.read_noise_dn;
+      // Rounding to whole grey levels adds 1/12 to the variance.
+      const double expected = std::sqrt(read * read + profile.noise.shot_gain_dn * level + 1. / 12);
+      EXPECT_NEAR(mean[0], level, 0.05) << level;
+      EXPECT_NEAR(deviation[0], expected, 0.02 * expected) << level;
+    }
   }
 }
 
-TEST(SensorModel, FramesEyesAndSeedsDiffer) {
-  const SensorProfile profile = SensorProfile::Named("webcam_vga");
-  const SensorModel left(profile, 1, Eye::kLeft), right(profile, 1, Eye::kRight),
-      other(profile, 2, Eye::kLeft);
-  const cv::Mat reference = Noisy(left, 5);
-  EXPECT_FALSE(Equal(reference, Noisy(left, 6)));
-  EXPECT_FALSE(Equal(reference, Noisy(right, 5)));
-  EXPECT_FALSE(Equal(reference, Noisy(other, 5)));
+TEST(SensorModel, FramesCamerasAndSeedsDiffer) {
+  const SensorModel left = Sensor(WebcamNoise());
+  const cv::Mat reference = Seen(left, 128, 5);
+  EXPECT_FALSE(Equal(reference, Seen(left, 128, 6)));
+  EXPECT_FALSE(Equal(reference, Seen(Sensor(WebcamNoise(), 1, "right"), 128, 5)));
+  EXPECT_FALSE(Equal(reference, Seen(Sensor(WebcamNoise(), 2), 128, 5)));
 }
 
 TEST(SensorModel, FrameDoesNotDependOnFramesBeforeOrThreads) {
-  const SensorModel a(SensorProfile::Named("webcam_vga"), 1, Eye::kLeft);
-  const SensorModel b(SensorProfile::Named("webcam_vga"), 1, Eye::kLeft);
-  for (int i = 0; i < 4; ++i) Noisy(a, i);
-  const cv::Mat threaded = Noisy(a, 9);
+  const SensorModel a = Sensor(WebcamNoise()), b = Sensor(WebcamNoise());
+  for (int i = 0; i < 4; ++i) Seen(a, 128, i);
+  const cv::Mat threaded = Seen(a, 128, 9);
   cv::setNumThreads(1);
-  const cv::Mat single = Noisy(b, 9);
+  const cv::Mat single = Seen(b, 128, 9);
   cv::setNumThreads(-1);
   EXPECT_TRUE(Equal(threaded, single));
 }
 
 TEST(SensorModel, NeighbouringPixelsAreUncorrelated) {
-  const SensorModel model({"test", 4, 0}, 1, Eye::kLeft);
-  cv::Mat noise;
-  Noisy(model, 0).reshape(1).convertTo(noise, CV_64F);
-  noise -= 128;
+  const cv::Mat noise = NoiseOf(Sensor(Noise(4, 0)), 128);
   const auto correlation = [&noise](int dy, int dx) {
     const cv::Rect all(0, 0, noise.cols - dx, noise.rows - dy);
     return noise(all).dot(noise(all + cv::Point(dx, dy))) / (all.area() * 16.0);
@@ -76,12 +101,56 @@ TEST(SensorModel, NeighbouringPixelsAreUncorrelated) {
   EXPECT_NEAR(correlation(1, 0), 0, five_sigma);
 }
 
-TEST(SensorModel, UnknownProfileNamesTheKnownOnes) {
-  try {
-    SensorProfile::Named("webcam");
-    FAIL();
-  } catch (const hardware::ConfigError& e) {
-    EXPECT_NE(std::string(e.what()).find("webcam_vga"), std::string::npos);
+TEST(SensorModel, ReadNoiseStaysWhenShotNoiseIsTurnedOn) {
+  const cv::Mat read = NoiseOf(Sensor(Noise(6, 0)), 128),
+                shot = NoiseOf(Sensor(Noise(0, 0.3)), 128),
+                both = NoiseOf(Sensor(Noise(6, 0.3)), 128);
+  EXPECT_LE(cv::norm(both, read + shot, cv::NORM_INF), 1.0) << "roundings apart";
+  EXPECT_NEAR(Correlation(read, shot), 0, 5 / std::sqrt(static_cast<double>(read.total())));
+}
+
+TEST(SensorModel, NoiseStaysWhenGainAndVignettingAreTurnedOn) {
+  CameraProfile bright = Noise(6, 0);
+  bright.exposure.gain = 1.5;
+  const cv::Mat plain = NoiseOf(Sensor(Noise(6, 0)), 120), brighter = NoiseOf(Sensor(bright), 80);
+  EXPECT_EQ(cv::norm(plain, brighter - 40, cv::NORM_INF), 0) << "80 * 1.5 = 120";
+}
+
+TEST(SensorModel, ExposureMultipliesAndClips) {
+  CameraProfile profile;
+  profile.exposure.gain = 2;
+  EXPECT_TRUE(Equal(Seen(Sensor(profile), 100), Grey(200)));
+  EXPECT_TRUE(Equal(Seen(Sensor(profile), 130), Grey(255)));
+}
+
+TEST(SensorModel, VignettingDarkensWithTheSquareOfTheDistanceFromThePrincipalPoint) {
+  CameraProfile profile;
+  profile.lens.vignetting = 0.4;
+  const hardware::CameraModel camera({320, 240, 300, 300, 100, 119.5});
+  cv::Mat image = Grey(200);
+  SensorModel(profile, camera, 1, "left").Apply(0, image);
+  const auto at = [&image](int y, int x) { return 1.0 * image.at<cv::Vec3b>(y, x)[1]; };
+  const double corner2 = 219 * 219 + 119.5 * 119.5;
+  EXPECT_NEAR(at(239, 319), 200 * 0.6, 0.51);
+  EXPECT_NEAR(at(119, 100), 200, 0.51);
+  for (const int x : {0, 50, 200, 300}) {
+    const double r2 = (x - 100.0) * (x - 100.0) + 0.25;
+    EXPECT_NEAR(at(119, x), 200 * (1 - 0.4 * r2 / corner2), 0.51) << x;
+  }
+}
+
+TEST(SensorModel, ConverterHasAsManyLevelsAsItsBitsSay) {
+  CameraProfile profile = Noise(20, 0);
+  for (const int bits : {1, 4, 7}) {
+    profile.noise.bits = bits;
+    const cv::Mat image = Seen(Sensor(profile));
+    const std::set<std::uint8_t> levels(image.data, image.data + image.total() * 3);
+    EXPECT_LE(levels.size(), std::size_t{1} << bits);
+    EXPECT_GE(levels.size(), std::size_t{2}) << bits;
+    for (const std::uint8_t level : levels) {
+      const double number = level * ((1 << bits) - 1) / 255.0;
+      EXPECT_NEAR(number, std::round(number), 0.25) << bits;
+    }
   }
 }
 
