@@ -53,9 +53,11 @@ std::vector<Declared> DeclaredTextures(const mjModel& model) {
 }
 
 Surface FaceSurface(const std::vector<double>& box_m, int face) {
-  if (face < 2) return {box_m[1], box_m[2]};
-  if (face < 4) return {box_m[0], box_m[2]};
-  return {box_m[0], box_m[1]};
+  constexpr std::array<Side, kFaces> kSides = {Side::kFront, Side::kBack, Side::kLeft,
+                                               Side::kRight, Side::kTop,  Side::kBottom};
+  if (face < 2) return {box_m[1], box_m[2], kSides[face], box_m[0]};
+  if (face < 4) return {box_m[0], box_m[2], kSides[face], box_m[1]};
+  return {box_m[0], box_m[1], kSides[face], box_m[2]};
 }
 
 /// A face of a box; the narrow edges of boards, of which nobody sees more than their colour, cost

@@ -6,6 +6,9 @@
 #include <map>
 
 #include "sim/random/random_stream.h"
+#include "sim/textures/fur_painters.h"
+#include "sim/textures/package_painters.h"
+#include "sim/textures/print_layout.h"
 #include "sim/textures/printed_painters.h"
 #include "sim/textures/tiling_noise.h"
 #include "sim/textures/workspace_painters.h"
@@ -63,6 +66,18 @@ Painter Carpet(const TextureRecipe&, const Surface& s, std::uint64_t seed) {
     const float light = std::max(0.1f, 1 + 2.6f * (pile.At(x, y) - 0.5f));
     const float warm = tint.At(x, y) - 0.5f;
     return Vec3f(122 - 30 * warm, 124, 126 + 30 * warm) * light;
+  };
+}
+
+Painter Curtain(const TextureRecipe& recipe, const Surface& s, std::uint64_t seed) {
+  const Vec3f dye = HueColour(recipe.Number("hue_deg", 205), 0.45f, 150);
+  const TilingNoise folds(seed + 1, s.width_m, s.height_m, {0.03, 1, 1, 0.03});
+  const TilingNoise drape(seed + 2, s.width_m, s.height_m, {0.4, 3, 0.7, 0.15});
+  const TilingNoise weave(seed + 3, s.width_m, s.height_m, {0.5, 8, 0.88, 1});
+  return [=](double x, double y) {
+    const float fold = std::sin(static_cast<float>(2 * M_PI * x / 0.14) + 5 * drape.At(x, y));
+    const float light = 1 + 0.28f * fold + 0.3f * (folds.At(x, y) - 0.5f);
+    return dye * (light * (0.7f + 0.6f * weave.At(x, y)));
   };
 }
 
@@ -157,16 +172,22 @@ const std::map<std::string, Maker>& Makers() {
       {"cardboard", CardboardPainter},
       {"carpet", Carpet},
       {"chessboard", ChessboardPainter},
+      {"crockery", CrockeryPainter},
+      {"curtain", Curtain},
       {"die", DiePainter},
       {"fabric", Fabric},
+      {"giraffe", GiraffePainter},
+      {"label", LabelPainter},
       {"grass", GrassPainter},
       {"marble", Marble},
+      {"package", PackagePainter},
       {"paper_print", PaperPrintPainter},
       {"parquet", Parquet},
       {"plain_wall", PlainWall},
       {"plaster", Plaster},
       {"poster", PosterPainter},
       {"red_paint", RedPaint},
+      {"tiger", TigerPainter},
       {"wood", Wood},
   };
   return kMakers;

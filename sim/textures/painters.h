@@ -9,10 +9,15 @@
 
 namespace horopter::sim {
 
+/// Which face of a box a surface is, by the body axis that it faces. A package's front faces +x.
+enum class Side { kFlat, kFront, kBack, kLeft, kRight, kTop, kBottom };
+
 /// The flat surface that one painter covers.
 struct Surface {
   double width_m;
   double height_m;
+  Side side = Side::kFlat;
+  double depth_m = 0;  ///< edge of the box across the surface
 };
 
 /// Colour (B, G, R in 0..255, may overshoot) at a point of a surface: x to the right and y down

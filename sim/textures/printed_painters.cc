@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/random/random_stream.h"
+#include "sim/textures/print_layout.h"
 #include "sim/textures/tiling_noise.h"
 
 namespace horopter::sim {
@@ -13,60 +14,6 @@ namespace horopter::sim {
 namespace {
 
 using cv::Vec3f;
-
-/// A saturated colour, B G R.
-Vec3f RandomColour(RandomStream& random, float saturation) {
-  const double hue = random.Uniform(0, 2 * M_PI);
-  const float value = static_cast<float>(random.Uniform(45, 150));
-  Vec3f bgr;
-  for (int c = 0; c < 3; ++c) {
-    bgr[c] = value * (1 + saturation * static_cast<float>(std::cos(hue + c * 2 * M_PI / 3)));
-  }
-  return bgr;
-}
-
-struct Rectangle {
-  double left_m;
-  double top_m;
-  double right_m;
-  double bottom_m;
-
-  bool Contains(double x, double y) const {
-    return x >= left_m && x < right_m && y >= top_m && y < bottom_m;
-  }
-};
-
-/// Words of random length in lines that fill a rectangle.
-class TextBlock {
- public:
-  TextBlock(RandomStream& random, const Rectangle& area, double line_m)
-      : area_(area), line_m_(line_m) {
-    const int lines = static_cast<int>((area.bottom_m - area.top_m) / line_m);
-    for (int line = 0; line < lines; ++line) {
-      std::vector<double>& edges = edges_.emplace_back();
-      const double stop = random.Uniform(0, 1) < 0.2 ? random.Uniform(0.3, 0.9) : 1.0;
-      for (double x = area.left_m; x < area.left_m + stop * (area.right_m - area.left_m);) {
-        edges.push_back(x);
-        x += line_m * random.Uniform(0.8, 3.5);
-        edges.push_back(x);
-        x += line_m * 0.4;
-      }
-    }
-  }
-
-  bool Inked(double x, double y) const {
-    if (!area_.Contains(x, y)) return false;
-    const auto line = static_cast<std::size_t>((y - area_.top_m) / line_m_);
-    if (line >= edges_.size() || std::fmod(y - area_.top_m, line_m_) > 0.6 * line_m_) return false;
-    const std::vector<double>& edges = edges_[line];
-    return (std::upper_bound(edges.begin(), edges.end(), x) - edges.begin()) % 2 == 1;
-  }
-
- private:
-  Rectangle area_;
-  double line_m_;
-  std::vector<std::vector<double>> edges_;  ///< per line, ascending: word begins, ends, begins ...
-};
 
 struct Book {
   double right_m;

@@ -20,19 +20,35 @@ const std::map<std::string, std::vector<std::string>>& Recipes() {
       {"cardboard", {}},
       {"carpet", {}},
       {"chessboard", {"square_m", "squares_x", "squares_y"}},
+      {"crockery", {"accent_deg", "hue_deg", "print"}},
+      {"curtain", {"hue_deg"}},
       {"die", {}},
       {"fabric", {"hue_deg"}},
+      {"giraffe", {"hue_deg", "patches", "print"}},
+      {"label", {"accent_deg", "hue_deg", "metal", "print", "word"}},
       {"grass", {}},
       {"marble", {}},
+      {"package", {"accent_deg", "hue_deg", "motif", "print", "word"}},
       {"paper_print", {}},
       {"parquet", {"plank_m"}},
       {"plain_wall", {}},
       {"plaster", {}},
       {"poster", {}},
       {"red_paint", {}},
+      {"tiger", {"hue_deg", "print", "stripes"}},
       {"wood", {"darkness"}},
   };
   return kRecipes;
+}
+
+/// The one key whose value is no number.
+constexpr std::string_view kWord = "word";
+
+bool IsWord(const std::string& text) {
+  const auto fits = [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ';
+  };
+  return !text.empty() && text.size() <= 12 && std::all_of(text.begin(), text.end(), fits);
 }
 
 std::string Join(const std::vector<std::string>& words) {
@@ -103,6 +119,12 @@ TextureRecipe ParseTextureRecipe(std::string_view texture, std::string_view text
     } else if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
       errors.push_back(
           {field + "." + key, value, "unknown; " + recipe.kind + " takes size_m, " + Join(keys)});
+    } else if (key == kWord) {
+      if (IsWord(value)) recipe.words[key] = value;
+      if (!IsWord(value)) {
+        errors.push_back(
+            {field + "." + key, value, "must be 1 to 12 of A to Z, 0 to 9 and spaces"});
+      }
     } else if (const auto number = ToNumber(value)) {
       recipe.numbers[key] = *number;
     } else {

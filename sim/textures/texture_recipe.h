@@ -12,11 +12,12 @@ namespace horopter::sim {
 ///
 /// `size_m` is the surface that the texture covers: WxH for a flat one, XxYxZ (the box's edges)
 /// for a cube texture. It makes bricks the same size on every wall. All other keys are numbers
-/// that belong to the recipe (see `RecipeKeys`).
+/// that belong to the recipe (see `RecipeKeys`), but for `word`, which is lettering.
 struct TextureRecipe {
   std::string kind;
-  std::vector<double> size_m;             ///< two or three edges [m]
-  std::map<std::string, double> numbers;  ///< the recipe's own keys that were given
+  std::vector<double> size_m;                  ///< two or three edges [m]
+  std::map<std::string, double> numbers;       ///< the recipe's own keys that were given
+  std::map<std::string, std::string> words{};  ///< likewise, those that are text
 
   double Number(const std::string& key, double otherwise) const {
     const auto it = numbers.find(key);
