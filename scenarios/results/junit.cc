@@ -29,10 +29,14 @@ bool Ended(const RunSummary& run) {
   return run.outcome == Outcome::kPassed || run.outcome == Outcome::kFailed;
 }
 
+/// A run that failed before its expectations could tell: a step gave up, or time ran out.
+bool GaveUp(const RunSummary& run) { return run.outcome == Outcome::kFailed && !run.error.empty(); }
+
 Counts Count(const RunSummary& run) {
   Counts counts;
-  counts.tests = static_cast<int>(run.expectations.size()) + (Ended(run) ? 0 : 1);
-  counts.errors = Ended(run) ? 0 : 1;
+  counts.errors = !Ended(run);
+  counts.failures = GaveUp(run);
+  counts.tests = static_cast<int>(run.expectations.size()) + counts.errors + counts.failures;
   for (const ExpectationResult& e : run.expectations) {
     counts.failures += e.outcome == ExpectationOutcome::kFailed;
     counts.skipped += e.outcome == ExpectationOutcome::kNotApplicable;
@@ -83,10 +87,12 @@ void AddExpectation(pugi::xml_node suite, const RunSummary& run, const Expectati
   Set(result, "message", Sentence(e));
 }
 
-void AddRunError(pugi::xml_node suite, const RunSummary& run) {
-  pugi::xml_node error = AddCase(suite, run, "run").append_child("error");
-  Set(error, "type", ToString(run.outcome));
-  Set(error, "message", run.error.empty() ? "the run did not finish" : run.error);
+/// The run itself as a testcase, when it did not come to its end.
+void AddRun(pugi::xml_node suite, const RunSummary& run) {
+  if (Ended(run) && !GaveUp(run)) return;
+  pugi::xml_node result = AddCase(suite, run, "run").append_child(Ended(run) ? "failure" : "error");
+  Set(result, "type", ToString(run.outcome));
+  Set(result, "message", run.error.empty() ? "the run did not finish" : run.error);
 }
 
 void AddSuite(pugi::xml_node suites, const RunSummary& run) {
@@ -101,7 +107,7 @@ void AddSuite(pugi::xml_node suites, const RunSummary& run) {
   if (!run.file.empty()) Set(suite, "file", run.file);
   AddProperties(suite, run);
   for (const ExpectationResult& e : run.expectations) AddExpectation(suite, run, e);
-  if (!Ended(run)) AddRunError(suite, run);
+  AddRun(suite, run);
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ struct RunSummary {
   std::uint64_t seed = 0;
   std::string backend;
   Outcome outcome = Outcome::kIncomplete;
-  std::string error;  ///< why outcome is error or incomplete
+  std::string error;  ///< why the run did not come to its end; empty when it did
   std::vector<ExpectationResult> expectations;
   std::map<std::string, double> metrics;  ///< every metric that has a value, by its name
   std::string image_hash;                 ///< over all images the stack saw; hex

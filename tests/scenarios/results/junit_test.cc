@@ -73,10 +73,24 @@ TEST(Junit, TellsErrorsFromFailures) {
   EXPECT_FALSE(killed.attribute("time")) << "a time that never was is left out";
 }
 
+TEST(Junit, RunThatGaveUpIsAFailureWhateverItsExpectationsSay) {
+  RunSummary stuck = ExampleSummary();
+  stuck.expectations.resize(1);  // passed
+  stuck.error = "goto: stuck: no way round";
+  const auto document = Parsed({stuck});
+  const pugi::xml_node suites = document.child("testsuites");
+  EXPECT_EQ(suites.attribute("failures").as_int(), 1);
+  EXPECT_EQ(suites.attribute("errors").as_int(), 0);
+  EXPECT_EQ(suites.attribute("tests").as_int(), 2);
+  const pugi::xml_node run =
+      suites.child("testsuite").find_child_by_attribute("testcase", "name", "run");
+  EXPECT_STREQ(run.child("failure").attribute("message").value(), stuck.error.c_str());
+  EXPECT_STREQ(run.child("failure").attribute("type").value(), "failed");
+}
+
 TEST(Junit, IsValidAgainstTheSchema) {
-  if (std::system("command -v xmllint > /dev/null 2>&1") != 0) {
-    GTEST_SKIP() << "NOT CHECKED: xmllint is missing (Debian package libxml2-utils)";
-  }
+  ASSERT_EQ(std::system("command -v xmllint > /dev/null 2>&1"), 0)
+      << "xmllint is missing (Debian package libxml2-utils)";
   const ScratchFolder folder;
   RunSummary hostile = ErrorRun();
   hostile.scenario = "]]> \"'<&> \xff";
@@ -84,8 +98,10 @@ TEST(Junit, IsValidAgainstTheSchema) {
   hostile.wall_s = 1e7;
   RunSummary skeleton;
   skeleton.scenario = "killed";
+  RunSummary stuck = ExampleSummary();
+  stuck.error = "goto: stuck";
   const std::vector<std::vector<RunSummary>> cases = {
-      {}, {ExampleSummary()}, {ExampleSummary(), hostile, skeleton}};
+      {}, {ExampleSummary()}, {ExampleSummary(), hostile, skeleton, stuck}};
   for (const auto& runs : cases) {
     const auto file = folder.path() / "junit.xml";
     std::ofstream(file) << JunitXml(runs);
