@@ -37,7 +37,7 @@ std::map<RunKey, const RunSummary*> ByKey(const std::vector<RunSummary>& runs) {
   for (const RunSummary& run : runs) {
     const auto [same, fresh] = map.emplace(RunKey{run.scenario, run.backend, run.seed}, &run);
     if (fresh) continue;
-    throw ResultsError(fmt::format(
+    throw UnusableResults(fmt::format(
         "two runs are both '{}', {} and {}: give one scenario another `name:` and play it again",
         Title(run), same->second->directory, run.directory));
   }
@@ -68,17 +68,46 @@ Verdict Judge(double worsening, double noise) {
   return worsening > 0 ? Verdict::kWorse : Verdict::kBetter;
 }
 
+/// How bad an outcome is: what was judged and failed is worth more than what was never judged.
+int Badness(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kPassed:
+      return 0;
+    case Outcome::kFailed:
+      return 1;
+    case Outcome::kIncomplete:
+      return 2;
+    case Outcome::kError:
+      break;
+  }
+  return 3;
+}
+
+int Badness(ExpectationOutcome outcome) {
+  switch (outcome) {
+    case ExpectationOutcome::kPassed:
+      return 0;
+    case ExpectationOutcome::kNotApplicable:
+      return 1;
+    case ExpectationOutcome::kFailed:
+      break;
+  }
+  return 2;
+}
+
+/// @param expectation "" = the run as a whole
+template <typename T>
+void CompareOutcome(const RunSummary& run, const std::string& expectation, T before, T after,
+                    SuiteComparison& comparison) {
+  if (before == after) return;
+  comparison.outcomes.push_back(
+      {Title(run), expectation, ToString(before), ToString(after),
+       Badness(after) > Badness(before) ? Verdict::kWorse : Verdict::kBetter});
+}
+
 void CompareOutcomes(const RunPair& pair, SuiteComparison& comparison) {
   const auto& [before, after] = pair;
-  if (before->outcome != after->outcome) {
-    const bool worse = before->outcome == Outcome::kPassed;
-    const bool better = after->outcome == Outcome::kPassed;
-    comparison.outcomes.push_back({Title(*after), "", ToString(before->outcome),
-                                   ToString(after->outcome),
-                                   worse    ? Verdict::kWorse
-                                   : better ? Verdict::kBetter
-                                            : Verdict::kSame});
-  }
+  CompareOutcome(*after, "", before->outcome, after->outcome, comparison);
   for (const ExpectationResult& was : before->expectations) {
     const auto is = std::find_if(after->expectations.begin(), after->expectations.end(),
                                  [&was](const auto& e) { return e.name == was.name; });
@@ -86,14 +115,7 @@ void CompareOutcomes(const RunPair& pair, SuiteComparison& comparison) {
       comparison.missing.push_back(fmt::format("{}: expectation '{}'", Title(*after), was.name));
       continue;
     }
-    if (is->outcome == was.outcome) continue;
-    const bool worse = was.outcome == ExpectationOutcome::kPassed;
-    const bool better = is->outcome == ExpectationOutcome::kPassed;
-    comparison.outcomes.push_back({Title(*after), was.name, ToString(was.outcome),
-                                   ToString(is->outcome),
-                                   worse    ? Verdict::kWorse
-                                   : better ? Verdict::kBetter
-                                            : Verdict::kSame});
+    CompareOutcome(*after, was.name, was.outcome, is->outcome, comparison);
   }
 }
 

@@ -63,14 +63,15 @@ struct SuiteComparison {
 
 /// Compares two suites run by run (scenario, seed, backend).
 ///
-/// An outcome or expectation that no longer passes is a regression. A metric is compared over all
+/// An outcome or expectation that is worse than before is a regression, from best to worst: passed,
+/// not applicable, failed, incomplete, error. A metric is compared over all
 /// seeds of a scenario: the worsening is the median of the paired differences, the noise three
 /// standard errors of that median, with the spread of the differences estimated robustly (1.4826
 /// MAD; the median's standard error is 1.2533 sigma / sqrt(n)), and never less than a floor: 1 % of
 /// the old value and 1 mm, 0.01 deg, 0.05 s or 0.001. Below three pairs the spread is unknown and
 /// the floor is 10 % of the old value. Counts have no noise. Timings are ratios, on a logarithmic
 /// scale, with a floor of 25 % and 0.5 ms: other load on the machine is no regression.
-/// @throws ResultsError when two runs of one side share scenario, seed and backend
+/// @throws UnusableResults when two runs of one side share scenario, seed and backend
 SuiteComparison Compare(const std::vector<RunSummary>& before,
                         const std::vector<RunSummary>& after);
 

@@ -72,8 +72,8 @@ std::string Outcomes(const std::vector<OutcomeChange>& changes) {
   if (changes.empty()) return "";
   std::vector<Row> rows = {{"verdict", "run", "expectation", "before", "after"}};
   for (const OutcomeChange& c : Shown(changes, true)) {
-    rows.push_back({c.verdict == Verdict::kSame ? "changed" : Name(c.verdict), c.run,
-                    c.expectation.empty() ? "(run)" : c.expectation, c.before, c.after});
+    rows.push_back({Name(c.verdict), c.run, c.expectation.empty() ? "(run)" : c.expectation,
+                    c.before, c.after});
   }
   return "Outcomes\n" + Aligned(rows);
 }

@@ -12,4 +12,11 @@ class ResultsError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Results that a person named and that cannot be used: not there, not a summary, or ambiguous. Bad
+/// input, where a ResultsError of any other kind is the machine's fault.
+class UnusableResults : public ResultsError {
+ public:
+  using ResultsError::ResultsError;
+};
+
 }  // namespace horopter::scenarios

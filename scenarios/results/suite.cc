@@ -23,7 +23,12 @@ std::vector<RunSummary> ReadSuiteSummary(const fs::path& folder_or_file) {
   std::error_code ignored;
   const fs::path file =
       fs::is_directory(folder_or_file, ignored) ? folder_or_file / "summary.json" : folder_or_file;
-  const std::string text = ReadFile(file);
+  std::string text;
+  try {
+    text = ReadFile(file);
+  } catch (const ResultsError& error) {
+    throw UnusableResults(error.what());
+  }
   try {
     std::vector<RunSummary> runs = ParseSummaryText(text);
     for (RunSummary& run : runs) {
@@ -31,7 +36,7 @@ std::vector<RunSummary> ReadSuiteSummary(const fs::path& folder_or_file) {
     }
     return runs;
   } catch (const ResultsError& error) {
-    throw ResultsError(file.string() + ": " + error.what());
+    throw UnusableResults(file.string() + ": " + error.what());
   }
 }
 

@@ -19,7 +19,7 @@ void WriteSuite(const std::filesystem::path& folder, const std::vector<RunSummar
 
 /// Reads summary.json back: of a suite, or of a single run (one element then, its `directory` ".").
 /// @param folder_or_file a results folder, or a summary.json itself
-/// @throws ResultsError naming the file and what is wrong with it
+/// @throws UnusableResults naming the file and what is wrong with it
 std::vector<RunSummary> ReadSuiteSummary(const std::filesystem::path& folder_or_file);
 
 }  // namespace horopter::scenarios

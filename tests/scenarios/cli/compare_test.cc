@@ -104,6 +104,35 @@ TEST(Compare, PassedToAnythingElseIsARegression) {
   }
 }
 
+TEST(Compare, EveryStepDownIsARegressionAndEveryStepUpNone) {
+  const Outcome ranked[] = {Outcome::kPassed, Outcome::kFailed, Outcome::kIncomplete,
+                            Outcome::kError};
+  for (int better = 0; better < 4; ++better) {
+    for (int worse = better + 1; worse < 4; ++worse) {
+      RunSummary before = Played(1), after = Played(1);
+      before.outcome = ranked[better];
+      after.outcome = ranked[worse];
+      EXPECT_TRUE(Compare({before}, {after}).OutcomesOrMetricsRegressed()) << better << worse;
+      EXPECT_FALSE(Compare({after}, {before}).OutcomesOrMetricsRegressed()) << better << worse;
+    }
+  }
+}
+
+TEST(Compare, ExpectationThatNoLongerAppliesOrNowFailsIsARegression) {
+  const auto ended = [](ExpectationOutcome outcome) {
+    RunSummary run = Played(1);
+    run.expectations.emplace_back().name = "contacts 0";
+    run.expectations.back().outcome = outcome;
+    return std::vector<RunSummary>{run};
+  };
+  const auto passed = ended(ExpectationOutcome::kPassed);
+  const auto unjudged = ended(ExpectationOutcome::kNotApplicable);
+  const auto failed = ended(ExpectationOutcome::kFailed);
+  EXPECT_TRUE(Compare(passed, unjudged).OutcomesOrMetricsRegressed());
+  EXPECT_TRUE(Compare(unjudged, failed).OutcomesOrMetricsRegressed());
+  EXPECT_FALSE(Compare(failed, unjudged).OutcomesOrMetricsRegressed());
+}
+
 TEST(Compare, ExpectationsAreComparedWithinFailedRuns) {
   RunSummary before = Played(1);
   before.outcome = Outcome::kFailed;
