@@ -31,6 +31,7 @@ class HoldGaze : public Behaviour {
     StepOutput out;
     out.head = Target(state, out);
     if (!out.failure.empty()) {
+      out.fixated_O.reset();
       out.done = true;
       return out;
     }
@@ -65,42 +66,36 @@ class HoldGaze : public Behaviour {
   std::optional<Time> settled_at_;
 };
 
-class FixateBehaviour final : public HoldGaze {
+/// Fixates a point, or looks its way with parallel axes.
+class GazeBehaviour final : public HoldGaze {
  public:
-  FixateBehaviour(const FixateStep& step, const BehaviourContext& context)
-      : HoldGaze(context, step.hold_s), target_O_(step.target_m) {}
+  GazeBehaviour(const FixateStep& step, const BehaviourContext& context)
+      : HoldGaze(context, step.hold_s), target_O_(step.target_m), converging_(true) {}
+  GazeBehaviour(const LookAtStep& step, const BehaviourContext& context)
+      : HoldGaze(context, step.hold_s), target_O_(step.target_m), converging_(false) {}
 
  private:
   HeadAngles Target(const StackState& state, StepOutput& out) const override {
     const control::Fixation fixation = control::Fixate(
         context().geometry, context().limits, state.angles.neck, InBase(state.X_OB, target_O_));
-    if (!fixation.reachable()) out.failure = "cannot fixate: " + fixation.why;
+    if (!fixation.reachable()) {
+      out.failure = (converging_ ? "cannot fixate: " : "cannot look there: ") + fixation.why;
+    }
+    if (!converging_) return Parallel(fixation.angles);
     out.fixated_O = target_O_;
     return fixation.angles;
   }
 
-  Eigen::Vector3d target_O_;
-};
-
-class LookAtBehaviour final : public HoldGaze {
- public:
-  LookAtBehaviour(const LookAtStep& step, const BehaviourContext& context)
-      : HoldGaze(context, step.hold_s), target_O_(step.target_m) {}
-
- private:
-  HeadAngles Target(const StackState& state, StepOutput& out) const override {
-    const control::Fixation fixation = control::Fixate(
-        context().geometry, context().limits, state.angles.neck, InBase(state.X_OB, target_O_));
-    if (!fixation.reachable()) out.failure = "cannot look there: " + fixation.why;
-    HeadAngles parallel = fixation.angles;
-    parallel.left.pan_rad = parallel.right.pan_rad =
-        (fixation.angles.left.pan_rad + fixation.angles.right.pan_rad) / 2;
-    parallel.left.tilt_rad = parallel.right.tilt_rad =
-        (fixation.angles.left.tilt_rad + fixation.angles.right.tilt_rad) / 2;
-    return parallel;
+  /// Both eyes the way of their mean.
+  static HeadAngles Parallel(HeadAngles angles) {
+    angles.left.pan_rad = angles.right.pan_rad = (angles.left.pan_rad + angles.right.pan_rad) / 2;
+    angles.left.tilt_rad = angles.right.tilt_rad =
+        (angles.left.tilt_rad + angles.right.tilt_rad) / 2;
+    return angles;
   }
 
   Eigen::Vector3d target_O_;
+  bool converging_;
 };
 
 class SaccadeBehaviour final : public HoldGaze {
@@ -195,10 +190,10 @@ std::unique_ptr<Behaviour> MakeBehaviour(const StepAction& action, const Behavio
       return std::make_unique<GotoBehaviour>(s, context, navigator);
     }
     std::unique_ptr<Behaviour> operator()(const FixateStep& s) const {
-      return std::make_unique<FixateBehaviour>(s, context);
+      return std::make_unique<GazeBehaviour>(s, context);
     }
     std::unique_ptr<Behaviour> operator()(const LookAtStep& s) const {
-      return std::make_unique<LookAtBehaviour>(s, context);
+      return std::make_unique<GazeBehaviour>(s, context);
     }
     std::unique_ptr<Behaviour> operator()(const SaccadeStep& s) const {
       return std::make_unique<SaccadeBehaviour>(s, context);

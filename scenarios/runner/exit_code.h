@@ -10,7 +10,7 @@ enum class ExitCode {
   kPassed = 0,
   kExpectationFailed = 1,
   kBadInput = 2,        ///< or usage
-  kInfrastructure = 3,  ///< no GL, disk full, physics that blew up
+  kInfrastructure = 3,  ///< no GL, disk full, physics that blew up, a fault of our own
   kHardwareUnavailable = 4,
 };
 

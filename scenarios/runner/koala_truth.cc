@@ -66,6 +66,10 @@ std::string KindOf(std::string_view name) {
 
 }  // namespace
 
+double WorseEye(double left, double right) {
+  return std::isnan(left) || std::isnan(right) ? std::nan("") : std::max(left, right);
+}
+
 KoalaTruth::KoalaTruth(sim::KoalaSimulation& simulation, hardware::StageTimes& times)
     : simulation_(simulation), times_(times), oracle_(simulation.world().model()) {
   const mjModel& model = simulation.world().model();
@@ -104,12 +108,10 @@ double KoalaTruth::Clearance() {
 
 double KoalaTruth::FixationErrorDeg(const Eigen::Vector3d& p_OT) {
   const Eigen::Vector3d p_WT = simulation_.X_WO() * p_OT;
-  double worst = 0;
-  for (const hardware::Eye eye : hardware::kBothEyes) {
-    const hardware::Pose X_WC = simulation_.world().X_WCamera(ToString(eye));
-    worst = std::max(worst, sim::FixationError(X_WC, p_WT));
-  }
-  return worst * kDegrees;
+  const auto error = [&](hardware::Eye eye) {
+    return sim::FixationError(simulation_.world().X_WCamera(ToString(eye)), p_WT);
+  };
+  return WorseEye(error(hardware::Eye::kLeft), error(hardware::Eye::kRight)) * kDegrees;
 }
 
 FrameTruth KoalaTruth::AtCapture() {

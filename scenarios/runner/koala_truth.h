@@ -10,6 +10,9 @@
 
 namespace horopter::scenarios {
 
+/// The larger of both eyes' errors; NaN when either has none.
+double WorseEye(double left, double right);
+
 /// Truth of the simulated Koala: depth and ids rendered at the cameras' true poses, contacts from
 /// MuJoCo, clearance from Bullet's world built from the same model.
 class KoalaTruth final : public TruthProbe {

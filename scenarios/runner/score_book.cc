@@ -23,23 +23,6 @@ std::optional<double> Mean(const std::vector<double>& sample) {
   return std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
 }
 
-double AbsRel(double depth_m, double true_depth_m) {
-  return std::abs(depth_m - true_depth_m) / true_depth_m;
-}
-
-/// Calls `score(y, x, depth, true depth)` for every pixel that has both depths, row by row.
-template <typename Score>
-void ForEachScored(const cv::Mat1f& depth_m, const cv::Mat1f& true_depth_m, Score score) {
-  for (int y = 0; y < depth_m.rows; ++y) {
-    for (int x = 0; x < depth_m.cols; ++x) {
-      const double estimate = depth_m(y, x), truth = true_depth_m(y, x);
-      if (std::isfinite(estimate) && std::isfinite(truth) && truth > 0) {
-        score(y, x, estimate, truth);
-      }
-    }
-  }
-}
-
 bool Holds(double value, Comparison comparison, double limit) {
   switch (comparison) {
     case Comparison::kAtMost:
@@ -64,16 +47,11 @@ std::string HowItEnded(const GotoOutcome& g) {
 }
 
 /// "reached within D before T": every goal, in the robot's own opinion and in truth.
-void EvaluateReached(const Expectation& expectation, const std::vector<GotoOutcome>& gotos,
+void EvaluateReached(const Expectation& expectation, const ScoreBook& book,
                      ExpectationResult& result) {
-  result.outcome = ExpectationOutcome::kFailed;
-  if (gotos.empty()) {
-    result.detail = "no goto step was begun";
-    return;
-  }
   result.outcome = ExpectationOutcome::kPassed;
-  result.value = WorstGoalDistance(gotos);
-  for (const GotoOutcome& g : gotos) {
+  result.value = WorstGoalDistance(book.gotos());
+  for (const GotoOutcome& g : book.gotos()) {
     const bool near = g.true_distance_m && *g.true_distance_m <= result.limit;
     const bool in_time = !expectation.before_s || g.duration_s <= *expectation.before_s;
     if (g.reached && near && in_time) continue;
@@ -92,25 +70,6 @@ std::optional<double> WorstGoalDistance(const std::vector<GotoOutcome>& gotos) {
   return worst_m;
 }
 
-DepthScore ScoreDepth(const cv::Mat1f& depth_m, const cv::Mat1f& true_depth_m) {
-  DepthScore score;
-  std::vector<double> abs_rel;
-  double bias = 0;
-  ForEachScored(depth_m, true_depth_m, [&](int, int, double estimate, double truth) {
-    abs_rel.push_back(AbsRel(estimate, truth));
-    bias += estimate - truth;
-  });
-  const auto estimated = std::count_if(depth_m.begin(), depth_m.end(),
-                                       [](float estimate) { return std::isfinite(estimate); });
-  score.density = static_cast<double>(estimated) / static_cast<double>(depth_m.total());
-  if (!abs_rel.empty()) {
-    score.bias_m = bias / static_cast<double>(abs_rel.size());
-    score.abs_rel_mean = Mean(abs_rel);
-    score.abs_rel_median = Median(std::move(abs_rel));
-  }
-  return score;
-}
-
 void ScoreBook::AddTick(const Tick& tick) {
   if (tick.clearance_m) {
     clearance_m_ = std::min(clearance_m_.value_or(*tick.clearance_m), *tick.clearance_m);
@@ -127,25 +86,40 @@ void ScoreBook::AddTick(const Tick& tick) {
       std::hypot(tick.true_pose->x_m - tick.odometry.x_m, tick.true_pose->y_m - tick.odometry.y_m);
 }
 
-void ScoreBook::AddFrame(const DepthScore& score, const cv::Mat1f& depth_m, const FrameTruth& truth,
-                         bool fixating) {
+DepthScore ScoreBook::AddFrame(const cv::Mat1f& depth_m, const FrameTruth& truth, bool fixating) {
+  const bool on_board = fixating && !truth.board.empty();
+  std::vector<double> abs_rel;
+  double bias_sum_m = 0;
+  std::size_t estimated = 0;
+  for (int y = 0; y < depth_m.rows; ++y) {
+    for (int x = 0; x < depth_m.cols; ++x) {
+      const double estimate_m = depth_m(y, x), true_m = truth.depth_m(y, x);
+      if (!std::isfinite(estimate_m)) continue;
+      ++estimated;
+      if (!std::isfinite(true_m) || true_m <= 0) continue;
+      const double error_m = estimate_m - true_m;
+      abs_rel.push_back(std::abs(error_m) / true_m);
+      bias_sum_m += error_m;
+      if (abs_rel.size() % kStride == 0) abs_rel_.push_back(static_cast<float>(abs_rel.back()));
+      if (!on_board || truth.board(y, x) == 0) continue;
+      board_sum_m_ += error_m;
+      board_square_m2_ += error_m * error_m;
+      ++board_pixels_;
+    }
+  }
+  DepthScore score;
+  score.density = static_cast<double>(estimated) / static_cast<double>(depth_m.total());
   densities_.push_back(score.density);
-  if (score.bias_m) biases_m_.push_back(*score.bias_m);
-  int count = 0;
-  ForEachScored(depth_m, truth.depth_m, [&](int, int, double estimate, double true_m) {
-    if (++count % kStride == 0) abs_rel_.push_back(static_cast<float>(AbsRel(estimate, true_m)));
-  });
-  if (fixating && !truth.board.empty()) AddBoard(depth_m, truth);
+  if (abs_rel.empty()) return score;
+  score.bias_m = bias_sum_m / static_cast<double>(abs_rel.size());
+  biases_m_.push_back(*score.bias_m);
+  score.abs_rel_mean = Mean(abs_rel);
+  score.abs_rel_median = Median(std::move(abs_rel));
+  return score;
 }
 
-void ScoreBook::AddBoard(const cv::Mat1f& depth_m, const FrameTruth& truth) {
-  ForEachScored(depth_m, truth.depth_m, [&](int y, int x, double estimate, double true_m) {
-    if (truth.board(y, x) == 0) return;
-    const double error = estimate - true_m;
-    board_sum_m_ += error;
-    board_square_m2_ += error * error;
-    ++board_pixels_;
-  });
+bool ScoreBook::BeganEveryGoto() const {
+  return !gotos_.empty() && static_cast<int>(gotos_.size()) >= planned_gotos_;
 }
 
 std::map<std::string, double> ScoreBook::Metrics() const {
@@ -157,7 +131,7 @@ std::map<std::string, double> ScoreBook::Metrics() const {
   if (contacts_) metrics["contacts"] = *contacts_;
   if (last_true_) metrics["path_length"] = path_m_;
   add("odometry.error", odometry_error_m_);
-  if (!gotos_.empty()) {
+  if (BeganEveryGoto()) {
     add("reached", WorstGoalDistance(gotos_));
     double total_s = 0;
     bool all = true;
@@ -181,14 +155,20 @@ std::map<std::string, double> ScoreBook::Metrics() const {
     metrics["board.depth_error.std"] = std::sqrt(std::max(0.0, board_square_m2_ / n - mean * mean));
   }
 
-  add("fixation.error_deg.mean", Mean(fixation_errors_deg_));
-  add("fixation.error_deg.median", Median(fixation_errors_deg_));
-  add("fixation.error_deg.p95", Percentile95(fixation_errors_deg_));
-  if (!fixation_errors_deg_.empty()) {
-    metrics["fixation.error_deg.max"] =
-        *std::max_element(fixation_errors_deg_.begin(), fixation_errors_deg_.end());
-  }
+  AddFixation(metrics);
   return metrics;
+}
+
+/// Nothing when an error was not a number: a fixation that cannot be judged is no good one.
+void ScoreBook::AddFixation(std::map<std::string, double>& metrics) const {
+  const std::vector<double>& errors_deg = fixation_errors_deg_;
+  const bool judged =
+      std::none_of(errors_deg.begin(), errors_deg.end(), [](double e) { return std::isnan(e); });
+  if (errors_deg.empty() || !judged) return;
+  metrics["fixation.error_deg.mean"] = Mean(errors_deg).value();
+  metrics["fixation.error_deg.median"] = Median(errors_deg).value();
+  metrics["fixation.error_deg.p95"] = Percentile95(errors_deg).value();
+  metrics["fixation.error_deg.max"] = *std::max_element(errors_deg.begin(), errors_deg.end());
 }
 
 ExpectationResult Evaluate(const Expectation& expectation, const ScoreBook& book,
@@ -204,8 +184,13 @@ ExpectationResult Evaluate(const Expectation& expectation, const ScoreBook& book
     result.detail = "this backend has no truth to hold it against";
     return result;
   }
+  if (expectation.metric == "reached" && !book.BeganEveryGoto()) {
+    result.outcome = ExpectationOutcome::kFailed;
+    result.detail = book.gotos().empty() ? "no goto step was begun" : "a goto step was never begun";
+    return result;
+  }
   if (expectation.metric == "reached" && expectation.before_s) {
-    EvaluateReached(expectation, book.gotos(), result);
+    EvaluateReached(expectation, book, result);
     return result;
   }
   const auto found = metrics.find(expectation.metric);

@@ -15,10 +15,6 @@
 
 namespace horopter::scenarios {
 
-/// Estimated depth against true depth over the pixels where both exist.
-/// @param depth_m estimated; NaN = none
-DepthScore ScoreDepth(const cv::Mat1f& depth_m, const cv::Mat1f& true_depth_m);
-
 /// How a goto step ended.
 struct GotoOutcome {
   bool reached = false;                   ///< in the robot's own opinion
@@ -42,9 +38,16 @@ class ScoreBook {
     std::optional<double> fixation_error_deg;
   };
 
+  /// @param planned_gotos goto steps of the scenario: one that is never begun is not reached
+  explicit ScoreBook(int planned_gotos = 0) : planned_gotos_(planned_gotos) {}
+
   void AddTick(const Tick& tick);
-  void AddFrame(const DepthScore& score, const cv::Mat1f& depth_m, const FrameTruth& truth,
-                bool fixating);
+
+  /// Holds estimated depth against the true one over the pixels where both exist.
+  /// @param depth_m estimated; NaN = none
+  /// @param fixating the frame also counts for the board, where the truth has one
+  DepthScore AddFrame(const cv::Mat1f& depth_m, const FrameTruth& truth, bool fixating);
+
   void AddGoto(const GotoOutcome& outcome) { gotos_.push_back(outcome); }
 
   /// Every metric that has a value, by its registered name and in its registered unit.
@@ -52,9 +55,13 @@ class ScoreBook {
 
   const std::vector<GotoOutcome>& gotos() const { return gotos_; }
 
- private:
-  void AddBoard(const cv::Mat1f& depth_m, const FrameTruth& truth);
+  /// Whether every planned goto step was begun, and there was one.
+  bool BeganEveryGoto() const;
 
+ private:
+  void AddFixation(std::map<std::string, double>& metrics) const;
+
+  int planned_gotos_;
   std::optional<double> clearance_m_;
   std::optional<int> contacts_;
   std::optional<hardware::Pose2> last_true_;
@@ -63,8 +70,8 @@ class ScoreBook {
   std::vector<double> fixation_errors_deg_;
   std::vector<double> densities_;
   std::vector<double> biases_m_;
-  std::vector<float> abs_rel_;  ///< one in kStride of all scored pixels
-  double board_sum_m_ = 0, board_square_m2_ = 0;
+  std::vector<float> abs_rel_;                    ///< one in kStride of all scored pixels
+  double board_sum_m_ = 0, board_square_m2_ = 0;  ///< of the errors of depth on the board
   long board_pixels_ = 0;
   std::vector<GotoOutcome> gotos_;
 };

@@ -30,12 +30,12 @@ constexpr double kSettledSteps = 2.5;
 
 template <typename T>
 T Demand(Result<T> result, const char* what) {
-  if (!result.ok()) throw DeviceFailure(fmt::format("{}: {}", what, result.error().message));
+  if (!result.ok()) throw DeviceFailure(what, result.error());
   return std::move(result).value();
 }
 
 void Demand(const Result<void>& result, const char* what) {
-  if (!result.ok()) throw DeviceFailure(fmt::format("{}: {}", what, result.error().message));
+  if (!result.ok()) throw DeviceFailure(what, result.error());
 }
 
 hardware::PerEye<hardware::CameraModel> Models(const hardware::CameraPair& cameras) {
@@ -45,11 +45,18 @@ hardware::PerEye<hardware::CameraModel> Models(const hardware::CameraPair& camer
 /// By how much a view may be older than it gets in the regular course before the robot stops.
 constexpr double kViewAgeMargin = 1.25;
 
-control::NavigatorConfig NavigatorConfigOf(const Scenario& scenario) {
+/// Room beside the robot, and before it, that a corridor and a stop leave.
+constexpr double kSideRoom_m = 0.045;
+constexpr double kFrontRoom_m = 0.185;
+
+control::NavigatorConfig NavigatorConfigOf(const Scenario& scenario,
+                                           const RobotDescription& robot) {
   const NavigationSpec& spec = scenario.navigation;
   control::NavigatorConfig config =
       spec.rule == "paper" ? control::NavigatorConfig::Paper() : control::NavigatorConfig();
   config.obstacle_distance_m = spec.obstacle_limit_m;
+  config.strips.corridor_half_width_m = robot.radius_m + kSideRoom_m;
+  if (spec.rule != "paper") config.stop_distance_m = robot.radius_m + kFrontRoom_m;
   config.controller.linear.output_limit = spec.cruise_speed_m_s;
   // A view is oldest just before the next one arrives: its own latency, and the next one's cycle.
   const double cycle_s = std::max(scenario.vision.latency_s, 1 / scenario.vision.rate_hz);
@@ -62,6 +69,12 @@ BehaviourContext ContextOf(const Scenario& scenario, const RobotDescription& rob
   const double encoder_deg = scenario.head.encoder_step_deg + scenario.head.encoder_noise_deg;
   return {robot.head_geometry, robot.head_limits,
           (kServoErrorDeg + kSettledSteps * encoder_deg) * kRadians};
+}
+
+int PlannedGotos(const Scenario& scenario) {
+  return static_cast<int>(std::count_if(
+      scenario.steps.begin(), scenario.steps.end(),
+      [](const Step& step) { return std::holds_alternative<GotoStep>(step.action); }));
 }
 
 /// Devices that are active as long as this lives: whatever ends a run, they are stopped.
@@ -94,33 +107,45 @@ Session::Session(const Scenario& scenario, const RobotDescription& robot, Backen
       writer_(writer),
       times_(times),
       hooks_(std::move(hooks)),
-      vision_(scenario.vision, Models(backend.cameras()), robot.head_geometry),
+      vision_(scenario.vision, Models(backend.cameras()), robot),
       odometry_(backend.base().properties()),
-      navigator_(NavigatorConfigOf(scenario)),
-      context_(ContextOf(scenario, robot)) {
+      navigator_(NavigatorConfigOf(scenario, robot)),
+      context_(ContextOf(scenario, robot)),
+      book_(PlannedGotos(scenario)) {
   if (TruthProbe* truth = backend_.truth()) plan_ = truth->Plan();
   plan_.robot_radius_m = robot.radius_m;
 }
 
 Session::Ending Session::Run() {
-  Ending ending;
   const ActiveDevices active(backend_);
+  Ending ending;
   for (const Step& step : scenario_.steps) {
-    const std::string name = StepName(step.action);
-    const auto behaviour = MakeBehaviour(step.action, context_, navigator_);
-    const Time begun = next_tick_;
-    StepOutput output;
-    while (!output.done && !ending.interrupted && ending.failure.empty()) {
-      output = Tick(*behaviour, name);
-      ending.interrupted = hooks_.interrupted();
-      if (ToSeconds(next_tick_) > scenario_.time_limit_s) {
-        ending.failure = fmt::format("the scenario's time limit of {:g} s has passed during {}",
-                                     scenario_.time_limit_s, name);
-      }
-    }
-    if (const auto* go = std::get_if<GotoStep>(&step.action)) FinishGoto(*go, output, begun);
-    if (!output.failure.empty()) ending.failure = name + ": " + output.failure;
+    ending = Play(step.action);
     if (ending.interrupted || !ending.failure.empty()) break;
+  }
+  return ending;
+}
+
+bool Session::OutOfTime() const { return ToSeconds(next_tick_) > scenario_.time_limit_s; }
+
+Session::Ending Session::Play(const StepAction& action) {
+  const std::string name = StepName(action);
+  const std::string out_of_time =
+      fmt::format("the scenario's time limit of {:g} s has passed", scenario_.time_limit_s);
+  if (OutOfTime()) return {false, fmt::format("{} before {}", out_of_time, name)};
+  const auto behaviour = MakeBehaviour(action, context_, navigator_);
+  const Time begun = next_tick_;
+  Ending ending;
+  StepOutput output;
+  do {
+    output = Tick(*behaviour, name);
+    ending.interrupted = hooks_.interrupted();
+  } while (!output.done && !ending.interrupted && !OutOfTime());
+  if (const auto* go = std::get_if<GotoStep>(&action)) FinishGoto(*go, output, begun);
+  if (!output.failure.empty()) {
+    ending.failure = name + ": " + output.failure;
+  } else if (!output.done && !ending.interrupted) {
+    ending.failure = fmt::format("{} during {}", out_of_time, name);
   }
   return ending;
 }
@@ -170,11 +195,11 @@ void Session::See(const StackState& state, const std::string& step_name) {
     truth = probe->AtCapture();
     record.true_pose = probe->X_OB();
     record.clearance_m = probe->Clearance();
-    record.depth = ScoreDepth(result.depth_m, truth.depth_m);
-    book_.AddFrame(*record.depth, result.depth_m, truth, fixating_);
+    if (fixated_O_) record.fixation_error_deg = probe->FixationErrorDeg(*fixated_O_);
+    record.depth = book_.AddFrame(result.depth_m, truth, fixated_O_.has_value());
   }
   const bool picture =
-      frames_ == 0 || fixating_ || record.t_capture - last_picture_ >= kPicturePeriod;
+      frames_ == 0 || fixated_O_ || record.t_capture - last_picture_ >= kPicturePeriod;
   if (picture) {
     last_picture_ = record.t_capture;
     writer_.AddFrame(record, MakeFrameImages(frame, result.disparity, result.depth_m, truth.depth_m,
@@ -209,7 +234,7 @@ void Session::Record(const StackState& state, const StepOutput& output) {
     for (const double angle : hardware::ToArray(*output.head)) decision_hash_.Update(angle);
   }
   last_decision_ = output.decision;
-  fixating_ = output.fixated_O.has_value();
+  fixated_O_ = output.fixated_O;
 
   ScoreBook::Tick tick;
   tick.odometry = state.X_OB;

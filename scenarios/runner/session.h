@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 
 #include "control/base/odometry.h"
 #include "control/navigator/navigator.h"
+#include "hardware/types/result.h"
 #include "hardware/types/stage_times.h"
 #include "scenarios/format/robot_description.h"
 #include "scenarios/format/scenario.h"
@@ -59,6 +61,8 @@ class Session {
     hardware::Time due{};
   };
 
+  bool OutOfTime() const;
+  Ending Play(const StepAction& action);
   StepOutput Tick(Behaviour& behaviour, const std::string& step_name);
   StackState Read();
   void See(const StackState& state, const std::string& step_name);
@@ -90,13 +94,20 @@ class Session {
   std::uint64_t ticks_ = 0;
   std::optional<Pending> pending_;
   std::string last_decision_;
-  bool fixating_ = false;  ///< at the last tick
+  std::optional<Eigen::Vector3d> fixated_O_;  ///< where both axes met at the last tick
 };
 
-/// A device failed in the middle of a run.
+/// A device refused or failed in the middle of a run.
 class DeviceFailure : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// @param what was being done
+  DeviceFailure(const std::string& what, const hardware::Error& error)
+      : std::runtime_error(what + ": " + error.message), code_(error.code) {}
+
+  hardware::ErrorCode code() const { return code_; }
+
+ private:
+  hardware::ErrorCode code_;
 };
 
 }  // namespace horopter::scenarios

@@ -31,7 +31,8 @@ class TruthProbe {
   /// How often the robot has begun to touch something besides the floor, by the physics.
   virtual int contacts() const = 0;
 
-  /// Angle between each eye's optical axis and the way to a point, the larger of both [deg].
+  /// Angle between each eye's optical axis and the way to a point, the larger of both [deg]; NaN
+  /// when the point is an eye's optical centre.
   /// @param p_OT in the robot's true starting frame
   virtual double FixationErrorDeg(const Eigen::Vector3d& p_OT) = 0;
 

@@ -70,6 +70,18 @@ TEST_F(BehaviourTest, TargetBehindTheRobotFailsWithTheReason) {
   const auto fixate = MakeBehaviour(FixateStep{{-1, 0, 0.3}, 0.5}, context_, navigator_);
   EXPECT_EQ(Play(*fixate, 0), 0);
   EXPECT_THAT(outputs_.back().failure, testing::HasSubstr("cannot fixate"));
+  EXPECT_FALSE(outputs_.back().fixated_O.has_value());  // a gaze never held is not scored
+}
+
+TEST_F(BehaviourTest, GazeThatIsLostIsNoLongerScored) {
+  const auto fixate = MakeBehaviour(FixateStep{{1, 0, 0.3}, 5}, context_, navigator_);
+  Play(*fixate, 0, 10);
+  ASSERT_TRUE(outputs_.back().fixated_O.has_value());
+  StackState state;
+  state.X_OB = {2, 0, 0};  // the target is behind it now
+  const StepOutput lost = fixate->Update(state);
+  EXPECT_TRUE(lost.done);
+  EXPECT_FALSE(lost.fixated_O.has_value());
 }
 
 TEST_F(BehaviourTest, LookAtKeepsTheAxesParallel) {

@@ -4,11 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/core/utility.hpp>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "scenarios/format/scenario_format.h"
 #include "scenarios/format/scenes.h"
@@ -63,6 +66,23 @@ RunSummary WithoutWallClock(RunSummary summary) {
   summary.timing_ms.clear();
   summary.directory.clear();
   return summary;
+}
+
+/// The cells of the next line of a CSV file; none at its end.
+std::vector<std::string> Cells(std::istream& in) {
+  std::string line;
+  if (!std::getline(in, line)) return {};
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  return cells;
 }
 
 std::string SuiteText(const fs::path& folder, const RunSummary& summary) {
@@ -154,6 +174,58 @@ TEST_F(RunScenarioTest, ImpossibleTargetFailsTheRunAndSaysWhy) {
   const RunSummary run = Play(scenario, "run");
   EXPECT_EQ(run.outcome, Outcome::kFailed);
   EXPECT_THAT(run.error, testing::HasSubstr("cannot fixate"));
+}
+
+TEST_F(RunScenarioTest, FramesTakenWhileFixatingHaveTheirError) {
+  Play(Short(), "run");
+  std::ifstream in(Folder("run") / "frames.csv");
+  const std::vector<std::string> header = Cells(in);
+  const auto column = [&header](const char* name) {
+    return std::find(header.begin(), header.end(), name) - header.begin();
+  };
+  const auto error = column("fixation_error_deg");
+  int fixated = 0, others = 0;
+  for (auto row = Cells(in); !row.empty(); row = Cells(in)) {
+    ASSERT_EQ(row.size(), header.size());
+    ++(row[error].empty() ? others : fixated);
+    if (row[error].empty()) continue;
+    EXPECT_LT(std::stod(row[error]), 1);
+  }
+  EXPECT_GE(fixated, 1);
+  EXPECT_GE(others, 1);  // while driving
+  std::ostringstream report;
+  report << std::ifstream(Folder("run") / "report.html").rdbuf();
+  EXPECT_THAT(report.str(), testing::HasSubstr("Fixation error"));
+}
+
+TEST_F(RunScenarioTest, GotoThatIsNeverBegunIsNotReached) {
+  Scenario scenario = ParseScenarioText(
+      std::string(kShort) + "  - reached within 0.2 m before 9 s\n", "short.yaml", {ScenesDir()});
+  scenario.steps = {scenario.steps[1], scenario.steps[0], scenario.steps[1]};
+  scenario.steps[1].action = FixateStep{{-1, 0, 0.3}, 0.3};
+  const RunSummary run = Play(scenario, "run");
+  EXPECT_EQ(run.expectations.back().outcome, ExpectationOutcome::kFailed);
+  EXPECT_THAT(run.expectations.back().detail, testing::HasSubstr("never begun"));
+  EXPECT_EQ(run.metrics.count("reached"), 0u);
+}
+
+TEST_F(RunScenarioTest, StepThatEndsAtTheTimeLimitHasEnded) {
+  Scenario scenario = Short();
+  scenario.steps.resize(1);
+  scenario.steps[0].action = WaitStep{1};
+  scenario.expect.resize(1);
+  scenario.time_limit_s = 1;
+  EXPECT_EQ(Play(scenario, "run").outcome, Outcome::kPassed);
+}
+
+TEST_F(RunScenarioTest, StepAfterTheTimeLimitIsNotBegun) {
+  Scenario scenario = Short();
+  scenario.steps[0].action = WaitStep{1};
+  scenario.time_limit_s = 1;
+  const RunSummary run = Play(scenario, "run");
+  EXPECT_EQ(run.outcome, Outcome::kFailed);
+  EXPECT_THAT(run.error, testing::HasSubstr("before goto"));
+  EXPECT_EQ(run.metrics.count("reached"), 0u);
 }
 
 TEST_F(RunScenarioTest, TimeLimitEndsTheRun) {

@@ -38,6 +38,11 @@ ExpectationResult Evaluate(const Expectation& e, const ScoreBook& book, bool has
   return scenarios::Evaluate(e, book, book.Metrics(), has_truth);
 }
 
+/// Of one frame alone.
+DepthScore ScoreDepth(const cv::Mat1f& depth_m, const cv::Mat1f& true_depth_m) {
+  return ScoreBook().AddFrame(depth_m, {true_depth_m, {}}, /*fixating=*/false);
+}
+
 TEST(ScoreDepth, CountsOnlyPixelsWithBothDepths) {
   const cv::Mat1f truth = (cv::Mat1f(1, 4) << 2, 2, kInf, 4);
   const cv::Mat1f estimate = (cv::Mat1f(1, 4) << 2.2f, kNan, 1, 3.8f);
@@ -67,7 +72,7 @@ TEST(ScoreBook, ARunWithEverythingInItHasEveryRegisteredMetric) {
   book.AddTick(tick);
   const FrameTruth truth{cv::Mat1f(4, 4, 1.0f), cv::Mat1b(4, 4, uchar{255})};
   const cv::Mat1f depth(4, 4, 1.1f);
-  book.AddFrame(ScoreDepth(depth, truth.depth_m), depth, truth, /*fixating=*/true);
+  book.AddFrame(depth, truth, /*fixating=*/true);
   book.AddGoto({true, 10, 0.05});
   std::vector<std::string> measured;
   for (const auto& [name, value] : book.Metrics()) {
@@ -93,8 +98,7 @@ TEST(ScoreBook, QuantilesOverTheRunAreThoseOfItsPixels) {
   cv::Mat1f depth(70, 10, 2.2f);
   depth.rowRange(0, 20) = kNan;
   ScoreBook book;
-  const DepthScore score = ScoreDepth(depth, truth.depth_m);
-  book.AddFrame(score, depth, truth, /*fixating=*/false);
+  const DepthScore score = book.AddFrame(depth, truth, /*fixating=*/false);
   EXPECT_NEAR(book.Metrics().at("depth.abs_rel.median"), 0.1, 1e-6);
   EXPECT_NEAR(book.Metrics().at("depth.abs_rel.p95"), 0.1, 1e-6);
   EXPECT_NEAR(*score.abs_rel_median, 0.1, 1e-6);
@@ -122,7 +126,7 @@ TEST(ScoreBook, BoardErrorIsTakenOverTheBoardAlone) {
   depth.row(0) = 0.97f;
   depth.row(1) = 0.99f;
   ScoreBook book;
-  book.AddFrame(ScoreDepth(depth, truth.depth_m), depth, truth, /*fixating=*/true);
+  book.AddFrame(depth, truth, /*fixating=*/true);
   const auto metrics = book.Metrics();
   EXPECT_NEAR(metrics.at("board.depth_error.mean"), 0.02, 1e-6);
   EXPECT_NEAR(metrics.at("board.depth_error.std"), 0.01, 1e-6);
@@ -131,7 +135,7 @@ TEST(ScoreBook, BoardErrorIsTakenOverTheBoardAlone) {
 TEST(ScoreBook, BoardCountsOnlyWhileFixating) {
   FrameTruth truth{cv::Mat1f(4, 4, 1.0f), cv::Mat1b(4, 4, uchar{255})};
   ScoreBook book;
-  book.AddFrame({}, cv::Mat1f(4, 4, 1.0f), truth, /*fixating=*/false);
+  book.AddFrame(cv::Mat1f(4, 4, 1.0f), truth, /*fixating=*/false);
   EXPECT_EQ(book.Metrics().count("board.depth_error.mean"), 0u);
 }
 
@@ -202,6 +206,32 @@ TEST(Evaluate, EveryGoalMustBeReached) {
 
 TEST(Evaluate, NoGoalBegunIsNotReached) {
   EXPECT_EQ(Evaluate(ReachedWithin(0.15, 60), ScoreBook()).outcome, ExpectationOutcome::kFailed);
+}
+
+TEST(Evaluate, GoalsThatWereNeverBegunAreNotReached) {
+  ScoreBook book(/*planned_gotos=*/2);
+  book.AddGoto({true, 10, 0.05});
+  for (const Expectation& e :
+       {ReachedWithin(0.15, 60), Expect("reached", Comparison::kAtMost, 0.15, "m")}) {
+    const auto result = Evaluate(e, book);
+    EXPECT_EQ(result.outcome, ExpectationOutcome::kFailed);
+    EXPECT_THAT(result.detail, testing::HasSubstr("never begun"));
+  }
+  EXPECT_EQ(book.Metrics().count("reached"), 0u);
+  EXPECT_EQ(book.Metrics().count("time_to_goal"), 0u);
+  book.AddGoto({true, 10, 0.05});
+  EXPECT_EQ(Evaluate(ReachedWithin(0.15, 60), book).outcome, ExpectationOutcome::kPassed);
+}
+
+TEST(Evaluate, FixationThatHasNoErrorAtATickHasNoneAtAll) {
+  ScoreBook book;
+  book.AddTick({{}, {}, {}, {}, 0.1});
+  book.AddTick({{}, {}, {}, {}, std::nan("")});
+  for (const char* metric : {"fixation.error_deg.p95", "fixation.error_deg.max"}) {
+    EXPECT_EQ(Evaluate(Expect(metric, Comparison::kAtMost, 1, "deg"), book).outcome,
+              ExpectationOutcome::kFailed)
+        << metric;
+  }
 }
 
 }  // namespace
