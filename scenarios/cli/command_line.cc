@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scenarios/cli/commands.h"
+#include "scenarios/format/diagnostics.h"
 #include "scenarios/format/suggest.h"
 #include "scenarios/runner/exit_code.h"
 
@@ -75,8 +76,11 @@ int Execute(const std::vector<Command>& commands) {
     } catch (const std::invalid_argument& error) {
       std::cerr << "horopter " << command.app->get_name() << ": " << error.what() << "\n";
       return kUsage;
-    } catch (const std::exception& error) {
+    } catch (const ScenarioError& error) {  // one line each, with its own place
       std::cerr << error.what() << "\n";
+      return kUsage;
+    } catch (const std::exception& error) {
+      std::cerr << "horopter " << command.app->get_name() << ": " << error.what() << "\n";
       return static_cast<int>(ExitCodeOf(error));
     }
   }

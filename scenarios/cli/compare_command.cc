@@ -9,7 +9,6 @@
 #include "scenarios/cli/commands.h"
 #include "scenarios/cli/compare.h"
 #include "scenarios/cli/compare_table.h"
-#include "scenarios/results/results_error.h"
 #include "scenarios/results/suite.h"
 #include "scenarios/runner/exit_code.h"
 
@@ -25,13 +24,7 @@ struct CompareArguments {
 };
 
 int CompareFolders(const CompareArguments& a) {
-  SuiteComparison comparison;
-  try {
-    comparison = Compare(ReadSuiteSummary(a.before), ReadSuiteSummary(a.after));
-  } catch (const ResultsError& error) {
-    std::cerr << "horopter compare: " << error.what() << "\n";
-    return static_cast<int>(ExitCode::kBadInput);
-  }
+  const SuiteComparison comparison = Compare(ReadSuiteSummary(a.before), ReadSuiteSummary(a.after));
   std::cout << CompareTable(comparison, a.all);
   if (comparison.pairs == 0) {
     std::cerr << "horopter compare: the folders have no run in common (scenario, seed and backend "

@@ -187,6 +187,21 @@ TEST(CommandLine, CompareCountsWhatIsMissingAsARegressionUnlessAllowed) {
   EXPECT_THAT(ran.output, HasSubstr("two runs are both 'a, seed 0, sim'"));
 }
 
+TEST(CommandLine, ResultsThatCannotBeReadAreBadInputInEveryCommand) {
+  TemporaryFolder folder;
+  const std::string none = "'" + (folder.path() / "none").string() + "'";
+  const std::string broken = "'" + folder.Write("summary.json", "{").string() + "'";
+  for (const std::string& results : {none, broken}) {
+    for (const std::string& command : {"timing " + results, "compare " + results + " " + results}) {
+      const Ran ran = Horopter(command);
+      const std::string name = command.substr(0, command.find(' '));
+      EXPECT_EQ(ran.code, 2) << ran.output;
+      EXPECT_THAT(ran.output, testing::StartsWith("horopter " + name + ": ")) << command;
+      EXPECT_EQ(std::count(ran.output.begin(), ran.output.end(), '\n'), 1) << ran.output;
+    }
+  }
+}
+
 TEST(CommandLine, TimingPrintsATableOverRuns) {
   TemporaryFolder folder;
   RunSummary run;
