@@ -23,11 +23,11 @@ run_logged() {
   fi
 }
 
-check_disk() {  # check_disk NEEDED_MB
+check_disk() {  # check_disk NEEDED_MB FOLDER
   local free_mb
-  free_mb=$(df -Pm "$HOROPTER_ROOT" | awk 'NR == 2 {print $4}')
+  free_mb=$(df -Pm "$2" | awk 'NR == 2 {print $4}')
   if [ "${free_mb:-0}" -lt "$1" ]; then
-    fail 3 "only ${free_mb} MB free on the disk of $HOROPTER_ROOT, $1 MB needed; free some space."
+    fail 3 "only ${free_mb:-0} MB free on the disk of $2, $1 MB needed; free some space."
   fi
 }
 
@@ -40,7 +40,7 @@ missing_packages() {
 }
 
 install_packages() {
-  local missing sudo=""
+  local missing sudo="" lists_are_new=yes
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     fail 3 "this set-up needs Debian 12 (apt-get not found). Install the equivalents of the packages" \
       "in .ci/packages.txt by hand, then: cmake --preset release && cmake --build --preset release"
@@ -53,14 +53,20 @@ install_packages() {
     sudo=sudo
   fi
   echo "horopter: installing Debian packages: $missing"
-  check_disk 2500
+  check_disk 2500 /usr
+  check_disk 700 /var/cache/apt/archives
   export DEBIAN_FRONTEND=noninteractive
-  run_logged apt-update $sudo apt-get update ||
-    fail 3 "the package lists could not be fetched: is there a network?" \
-      "Missing packages: $missing"
+  # Without the error mode apt calls it a success when no mirror answers. It is no failure here
+  # either as long as the packages can be had: one of a machine's other sources may be gone.
+  $sudo apt-get update -o APT::Update::Error-Mode=any >"$HOROPTER_LOGS/apt-update.log" 2>&1 ||
+    lists_are_new=no
   # shellcheck disable=SC2086
-  run_logged apt-install $sudo apt-get install -y --no-install-recommends $missing ||
+  if ! run_logged apt-install $sudo apt-get install -y --no-install-recommends $missing; then
+    [ $lists_are_new = yes ] ||
+      fail 3 "the package lists could not be fetched: is there a network?" \
+        "The log: $HOROPTER_LOGS/apt-update.log" "Missing packages: $missing"
     fail 3 "these packages could not be installed (Debian 12 has them all): $missing"
+  fi
 }
 
 # build PRESET TARGET...
@@ -68,7 +74,7 @@ build() {
   local preset=$1 dir=$HOROPTER_ROOT/build/$1
   shift
   if [ ! -f "$dir/build.ninja" ]; then
-    check_disk 1500
+    check_disk 1500 "$HOROPTER_ROOT"
     run_logged configure cmake -S "$HOROPTER_ROOT" --preset "$preset" ||
       fail 3 "the configure step failed."
   fi
