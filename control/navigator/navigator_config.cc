@@ -32,6 +32,9 @@ class Checker {
 NavigatorConfig NavigatorConfig::Paper() {
   NavigatorConfig config;
   config.obstacle_test = ObstacleTest::kCentralImage;
+  config.strips.central_fraction = 0.6;  // room for the robot beside what the image's middle shows
+  config.avoid_min_m = 0.2;              // no bounds but what the controller needs:
+  config.avoid_max_m = 100;              // proportional to the remaining distance
   config.avoid_directions = 1;
   config.stop_distance_m = 0;
   config.slow_distance_m = 0;

@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "scenarios/cli/commands.h"
 #include "scenarios/format/robot_description.h"

@@ -2,6 +2,7 @@
 #include "scenarios/format/field_schema.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace horopter::scenarios {
 namespace {
@@ -29,7 +30,7 @@ class SchemaWriter : public FieldVisitor {
   }
 
   void Number(const FieldSpec& spec, const Range& range, double& value) override {
-    Add(spec, Limited("number", range), Plain(value));
+    Add(spec, Limited("number", range), range.Contains(value) ? Plain(value) : Json(nullptr));
   }
   void Whole(const FieldSpec& spec, const Range& range, std::int64_t& value) override {
     Add(spec, Limited("integer", range), value);

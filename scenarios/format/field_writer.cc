@@ -19,8 +19,8 @@ class YamlWriter : public FieldVisitor {
     return writer.text_;
   }
 
-  void Number(const FieldSpec& spec, const Range&, double& value) override {
-    Line(spec.key, fmt::format("{}", value));
+  void Number(const FieldSpec& spec, const Range& range, double& value) override {
+    if (range.Contains(value)) Line(spec.key, fmt::format("{}", value));
   }
   void Whole(const FieldSpec& spec, const Range&, std::int64_t& value) override {
     Line(spec.key, fmt::format("{}", value));

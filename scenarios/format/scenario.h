@@ -41,18 +41,21 @@ struct BodyPlacement {
   bool operator==(const BodyPlacement&) const = default;
 };
 
+/// Stands for a number that the file leaves to robot.yaml (FillFromRobot); outside every range.
+inline constexpr double kRobotsOwn = -1;
+
 /// Pixels, optics and sensor of both eyes.
 struct CameraSpec {
   int width = 320;
   int height = 240;
-  double horizontal_fov_deg = 60;
+  double horizontal_fov_deg = kRobotsOwn;
   std::string sensor = "webcam_vga";  ///< a profile of sim/camera: ideal, webcam_vga
 
   bool operator==(const CameraSpec&) const = default;
 };
 
 struct HeadSpec {
-  double encoder_step_deg = 0.0514285;  ///< one position of a PTU-46
+  double encoder_step_deg = kRobotsOwn;
   double encoder_noise_deg = 0;
 
   bool operator==(const HeadSpec&) const = default;

@@ -10,7 +10,7 @@
 
 #include "control/kinematics/fixate.h"
 #include "scenarios/format/metric_registry.h"
-#include "scenarios/format/robot_description.h"
+#include "scenarios/format/scene_names.h"
 #include "scenarios/format/scenes.h"
 #include "scenarios/format/suggest.h"
 
@@ -34,14 +34,15 @@ void CheckName(const Scenario& scenario, const SourceMark& root, ParseReport& re
   }
 }
 
-void CheckScene(const Scenario& scenario, const SourceMark& root,
+/// Whether the scene is there.
+bool CheckScene(const Scenario& scenario, const SourceMark& root,
                 const std::filesystem::path& scenes_dir, ParseReport& report) {
-  if (scenario.scene.empty() || std::filesystem::is_regular_file(scenes_dir / scenario.scene)) {
-    return;
-  }
+  if (scenario.scene.empty()) return false;  // reported as missing
+  if (std::filesystem::is_regular_file(scenes_dir / scenario.scene)) return true;
   report.Add(MarkOf(report, "scene", root), "scene '" + scenario.scene + "' is not in " +
                                                 scenes_dir.string() +
                                                 DidYouMean(scenario.scene, SceneNames(scenes_dir)));
+  return false;
 }
 
 std::optional<RobotDescription> FindRobot(const Scenario& scenario, const SourceMark& root,
@@ -68,32 +69,6 @@ void CheckMedian(const Scenario& scenario, const SourceMark& root, ParseReport& 
              fmt::format("vision.median_px = {}: must be odd", scenario.vision.median_px));
 }
 
-/// How far one axis after the other can turn an eye: neck and eye together [rad].
-struct Reach {
-  double min_rad = 0;
-  double max_rad = 0;
-};
-
-Reach PanReach(const hardware::HeadLimits& limits) {
-  using hardware::HeadAxis;
-  const auto of = [&](HeadAxis axis) { return limits[static_cast<std::size_t>(axis)]; };
-  const auto neck = of(HeadAxis::kNeckPan);
-  const auto left = of(HeadAxis::kLeftPan);
-  const auto right = of(HeadAxis::kRightPan);
-  return {neck.min_rad + std::min(left.min_rad, right.min_rad),
-          neck.max_rad + std::max(left.max_rad, right.max_rad)};
-}
-
-Reach TiltReach(const hardware::HeadLimits& limits) {
-  using hardware::HeadAxis;
-  const auto of = [&](HeadAxis axis) { return limits[static_cast<std::size_t>(axis)]; };
-  const auto neck = of(HeadAxis::kNeckTilt);
-  const auto left = of(HeadAxis::kLeftTilt);
-  const auto right = of(HeadAxis::kRightTilt);
-  return {neck.min_rad + std::min(left.min_rad, right.min_rad),
-          neck.max_rad + std::max(left.max_rad, right.max_rad)};
-}
-
 /// Why the head, at the start, cannot look at a point of the base frame; "" when it can.
 std::string WhyOutOfSight(const Eigen::Vector3d& p_B, const RobotDescription& robot) {
   const control::Fixation fixation =
@@ -111,44 +86,121 @@ std::string WhyOutOfSight(const Eigen::Vector3d& p_B, const RobotDescription& ro
   }
 }
 
-std::string WhyNoSaccade(const SaccadeStep& step, const RobotDescription& robot) {
-  const auto outside = [](const char* axis, double deg, const Reach& reach) -> std::string {
-    if (deg >= reach.min_rad * kDegPerRad && deg <= reach.max_rad * kDegPerRad) return "";
-    return fmt::format("{} of {:.4g} deg is beyond the head's range, {:.1f} to {:.1f} deg", axis,
-                       deg, reach.min_rad * kDegPerRad, reach.max_rad * kDegPerRad);
-  };
-  const std::string tilt = outside("a tilt", step.tilt_deg, TiltReach(robot.head_limits));
-  if (!tilt.empty()) return tilt;
-  const Reach pan = PanReach(robot.head_limits);
-  // Converging axes: the left eye turns right by half the vergence, the right eye left.
-  const std::string left = outside("a left pan", step.pan_deg - step.vergence_deg / 2, pan);
-  return !left.empty() ? left : outside("a right pan", step.pan_deg + step.vergence_deg / 2, pan);
+/// Why neck and eye together cannot turn by an angle; "" when they can.
+std::string WhyBeyond(const char* what, double deg, const hardware::HeadLimits& limits,
+                      hardware::HeadAxis neck_axis, hardware::HeadAxis eye_axis) {
+  const auto& neck = limits[static_cast<std::size_t>(neck_axis)];
+  const auto& eye = limits[static_cast<std::size_t>(eye_axis)];
+  const double min_deg = (neck.min_rad + eye.min_rad) * kDegPerRad;
+  const double max_deg = (neck.max_rad + eye.max_rad) * kDegPerRad;
+  if (deg >= min_deg && deg <= max_deg) return "";
+  return fmt::format("{} of {:.4g} deg is beyond the head's range, {:.1f} to {:.1f} deg", what, deg,
+                     min_deg, max_deg);
 }
 
-void CheckSteps(const Scenario& scenario, const std::optional<RobotDescription>& robot,
-                ParseReport& report) {
+std::string WhyNoSaccade(const SaccadeStep& step, const hardware::HeadLimits& limits) {
+  using hardware::HeadAxis;
+  // Converging axes: the left eye turns right by half the vergence, the right eye left.
+  const double half_deg = step.vergence_deg / 2;
+  for (const std::string& why :
+       {WhyBeyond("a left tilt", step.tilt_deg, limits, HeadAxis::kNeckTilt, HeadAxis::kLeftTilt),
+        WhyBeyond("a right tilt", step.tilt_deg, limits, HeadAxis::kNeckTilt, HeadAxis::kRightTilt),
+        WhyBeyond("a left pan", step.pan_deg - half_deg, limits, HeadAxis::kNeckPan,
+                  HeadAxis::kLeftPan),
+        WhyBeyond("a right pan", step.pan_deg + half_deg, limits, HeadAxis::kNeckPan,
+                  HeadAxis::kRightPan)}) {
+    if (!why.empty()) return why;
+  }
+  return "";
+}
+
+/// How long a step is held at least [s]; 0 when it ends by itself.
+double HeldFor(const StepAction& action) {
+  if (const auto* step = std::get_if<FixateStep>(&action)) return step->hold_s;
+  if (const auto* step = std::get_if<LookAtStep>(&action)) return step->hold_s;
+  if (const auto* step = std::get_if<SaccadeStep>(&action)) return step->hold_s;
+  if (const auto* step = std::get_if<WaitStep>(&action)) return step->duration_s;
+  return 0;
+}
+
+/// Whether a step did not parse, so that its values are not what the file meant.
+bool IsBroken(const ParseReport& report, std::size_t step) {
+  return report.broken.count(fmt::format("steps[{}]", step)) > 0;
+}
+
+void CheckDurations(const Scenario& scenario, ParseReport& report) {
+  const double limit_s = scenario.time_limit_s;
+  double held_s = 0;
+  for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
+    if (IsBroken(report, i)) continue;
+    const Step& step = scenario.steps[i];
+    const auto* go = std::get_if<GotoStep>(&step.action);
+    if (go != nullptr && go->timeout_s > limit_s) {
+      report.Add(step.mark, fmt::format("goto.timeout_s = {}: the run ends before, at time_limit_s "
+                                        "= {}; raise that or lower this",
+                                        go->timeout_s, limit_s));
+    }
+    const bool fitted = held_s < limit_s;
+    held_s += HeldFor(step.action);
+    if (fitted && held_s >= limit_s) {
+      report.Add(step.mark, fmt::format("with this step the run lasts at least {} s, but ends at "
+                                        "time_limit_s = {}; raise that or hold for less",
+                                        held_s, limit_s));
+    }
+  }
+}
+
+/// Why a robot cannot do a step from its start; "" when it can.
+std::string WhyNot(const StepAction& action, const RobotDescription& robot) {
+  if (const auto* fixate = std::get_if<FixateStep>(&action)) {
+    return WhyOutOfSight(fixate->target_m, robot);
+  }
+  if (const auto* look = std::get_if<LookAtStep>(&action)) {
+    return WhyOutOfSight(look->target_m, robot);
+  }
+  if (const auto* saccade = std::get_if<SaccadeStep>(&action)) {
+    return WhyNoSaccade(*saccade, robot.head_limits);
+  }
+  return "";
+}
+
+void CheckSteps(const Scenario& scenario, const RobotDescription& robot, ParseReport& report) {
   // Once the robot has driven, what is behind its start may be before it.
   bool at_start = true;
   for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
     const Step& step = scenario.steps[i];
-    if (report.broken.count(fmt::format("steps[{}]", i)) > 0) continue;
-    const auto* go = std::get_if<GotoStep>(&step.action);
-    if (go != nullptr) at_start = false;
-    if (go != nullptr && go->timeout_s > scenario.time_limit_s) {
-      report.Add(step.mark, fmt::format("goto.timeout_s = {}: the run ends before, at time_limit_s "
-                                        "= {}; raise that or lower this",
-                                        go->timeout_s, scenario.time_limit_s));
+    if (IsBroken(report, i)) continue;
+    if (std::holds_alternative<GotoStep>(step.action)) {
+      at_start = false;
+      if (!robot.wheels) {
+        report.Add(step.mark, "goto: robot '" + robot.name + "' has no wheels; use another robot");
+      }
     }
-    if (!robot || !at_start) continue;
-    std::string why;
-    if (const auto* fixate = std::get_if<FixateStep>(&step.action)) {
-      why = WhyOutOfSight(fixate->target_m, *robot);
-    } else if (const auto* look = std::get_if<LookAtStep>(&step.action)) {
-      why = WhyOutOfSight(look->target_m, *robot);
-    } else if (const auto* saccade = std::get_if<SaccadeStep>(&step.action)) {
-      why = WhyNoSaccade(*saccade, *robot);
-    }
+    if (!at_start) continue;
+    const std::string why = WhyNot(step.action, robot);
     if (!why.empty()) report.Add(step.mark, why);
+  }
+}
+
+void CheckSceneContents(const Scenario& scenario, const RobotDescription& robot,
+                        const SourceMark& root, const std::filesystem::path& scenes_dir,
+                        ParseReport& report) {
+  const auto contents = ReadSceneContents(scenes_dir / scenario.scene);
+  if (!contents) return;
+  for (const auto& [name, placement] : scenario.bodies) {
+    if (contents->HasBody(name)) continue;
+    report.Add(MarkOf(report, "bodies." + name, root), "bodies." + name + ": scene '" +
+                                                           scenario.scene + "' has no such body" +
+                                                           DidYouMean(name, contents->bodies));
+  }
+  for (const auto& [pair, cameras] : robot.cameras) {
+    for (const std::string& camera : {cameras.left, cameras.right}) {
+      if (contents->HasCamera(camera)) continue;
+      report.Add(MarkOf(report, "scene", root),
+                 "scene '" + scenario.scene + "' has no camera '" + camera + "': robot '" +
+                     scenario.robot + "' does not stand in it; name a scene of its own");
+      return;
+    }
   }
 }
 
@@ -177,18 +229,22 @@ void CheckExpectations(const Scenario& scenario, ParseReport& report) {
 
 }  // namespace
 
-void CheckScenario(const Scenario& scenario, const SourceMark& root,
-                   const std::filesystem::path& scenes_dir, ParseReport& report) {
+std::optional<RobotDescription> CheckScenario(const Scenario& scenario, const SourceMark& root,
+                                              const std::filesystem::path& scenes_dir,
+                                              ParseReport& report) {
   CheckName(scenario, root, report);
   CheckMedian(scenario, root, report);
+  CheckDurations(scenario, report);
   std::optional<RobotDescription> robot;
   if (!scenes_dir.empty()) {
-    CheckScene(scenario, root, scenes_dir, report);
+    const bool found = CheckScene(scenario, root, scenes_dir, report);
     robot = FindRobot(scenario, root, scenes_dir, report);
+    if (found && robot) CheckSceneContents(scenario, *robot, root, scenes_dir, report);
   }
-  CheckSteps(scenario, robot, report);
+  if (robot) CheckSteps(scenario, *robot, report);
   // A list of which an element did not parse says nothing about what is missing in it.
   if (report.broken.empty() && !scenario.steps.empty()) CheckExpectations(scenario, report);
+  return robot;
 }
 
 }  // namespace horopter::scenarios

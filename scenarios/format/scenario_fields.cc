@@ -18,6 +18,12 @@ constexpr Range kPlace{-kFarthest_m, kFarthest_m};
 constexpr Range kHold{0, kLongest_s};
 constexpr Range kPositiveTime{0, kLongest_s, true};
 
+// What the navigator and its controllers can do: they stop within 5 cm, creep at 3 cm/s, and see no
+// obstacle beyond 3 m.
+constexpr Range kTolerance{0.05, 10};
+constexpr Range kCruiseSpeed{0.03, 2};
+constexpr Range kObstacleLimit{0, 3, true};
+
 const TextRule kName{"[A-Za-z0-9][A-Za-z0-9_.-]*(?: [A-Za-z0-9_.-]+)*",
                      "words of letters, digits, '_', '-' and '.', a space between them", 80};
 const TextRule kFolderName{"[A-Za-z0-9][A-Za-z0-9_.-]*",
@@ -47,14 +53,16 @@ void Visit(FieldVisitor& v, BodyPlacement& s) {
 void Visit(FieldVisitor& v, CameraSpec& s) {
   v.Integral({"width", "px", "Columns of each eye's image."}, {16, 4096}, s.width);
   v.Integral({"height", "px", "Rows of each eye's image."}, {16, 4096}, s.height);
-  v.Number({"horizontal_fov_deg", "deg", "Horizontal field of view of each eye."}, {5, 150},
-           s.horizontal_fov_deg);
+  v.Number(
+      {"horizontal_fov_deg", "deg", "Horizontal field of view of each eye; left out: the robot's."},
+      {5, 150}, s.horizontal_fov_deg);
   v.Choice({"sensor", "", "What the sensor adds to a perfect image."}, {"ideal", "webcam_vga"},
            s.sensor);
 }
 
 void Visit(FieldVisitor& v, HeadSpec& s) {
-  v.Number({"encoder_step_deg", "deg", "Quantum of the angles that the head reports; 0 = none."},
+  v.Number({"encoder_step_deg", "deg",
+            "Quantum of the angles that the head reports; 0 = none; left out: the robot's."},
            {0, 5}, s.encoder_step_deg);
   v.Number({"encoder_noise_deg", "deg", "Standard deviation of the noise on reported angles."},
            {0, 5}, s.encoder_noise_deg);
@@ -80,9 +88,9 @@ void Visit(FieldVisitor& v, NavigationSpec& s) {
             "How obstacles are avoided: by the paper's rule alone, or with its additions for a "
             "robot with a width and a narrow view."},
            {"paper", "corridor"}, s.rule);
-  v.Number({"obstacle_limit_m", "m", "What is nearer than this is avoided."}, {0, 10, true},
+  v.Number({"obstacle_limit_m", "m", "What is nearer than this is avoided."}, kObstacleLimit,
            s.obstacle_limit_m);
-  v.Number({"cruise_speed_m_s", "m/s", "Speed on a free straight."}, {0, 2, true},
+  v.Number({"cruise_speed_m_s", "m/s", "Speed on a free straight."}, kCruiseSpeed,
            s.cruise_speed_m_s);
 }
 
@@ -90,7 +98,7 @@ void Visit(FieldVisitor& v, GotoStep& s) {
   v.Number({"x_m", "m", "Goal, forward in the robot's starting frame.", true}, kPlace,
            s.goal_m.x());
   v.Number({"y_m", "m", "Goal, to the left.", true}, kPlace, s.goal_m.y());
-  v.Number({"tolerance_m", "m", "How near counts as reached, by odometry."}, {0, 10, true},
+  v.Number({"tolerance_m", "m", "How near counts as reached, by odometry."}, kTolerance,
            s.tolerance_m);
   v.Number({"timeout_s", "s", "The step gives up after this."}, kPositiveTime, s.timeout_s);
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenarios/format/scenario_format.h"
 
+#include <nlohmann/json.hpp>
+
 #include "scenarios/format/field_parser.h"
 #include "scenarios/format/field_schema.h"
 #include "scenarios/format/field_writer.h"
 #include "scenarios/format/read_text.h"
+#include "scenarios/format/robot_defaults.h"
 #include "scenarios/format/scenario_checks.h"
 #include "scenarios/format/scenario_fields.h"
 #include "scenarios/format/yaml_document.h"
@@ -30,7 +33,8 @@ Scenario ParseScenarioText(const std::string& text, const std::string& name,
   scenario.name = std::filesystem::path(name).stem().string();
   ParseReport report;
   ParseFields(root, TableOf(scenario), report);
-  CheckScenario(scenario, root.mark, options.scenes_dir, report);
+  const auto robot = CheckScenario(scenario, root.mark, options.scenes_dir, report);
+  if (robot) FillFromRobot(*robot, scenario);
   ThrowIfAny(std::move(report.diagnostics));
   return scenario;
 }

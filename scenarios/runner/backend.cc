@@ -28,12 +28,13 @@ sim::KoalaSimulationConfig ConfigOf(const Scenario& scenario, const RobotDescrip
   config.profile.noise = sim::CameraProfile::Named(scenario.camera.sensor).noise;
   config.head = {robot.head_limits, scenario.head.encoder_step_deg * kRadians,
                  scenario.head.encoder_noise_deg * kRadians, scenario.seed};
-  config.base = robot.base;
-  config.plant.metres_per_pulse = robot.base.metres_per_pulse;
-  config.plant.pulses_per_turn = robot.pulses_per_turn;
-  config.plant.max_wheel_speed_m_s = robot.base.max_wheel_speed_m_s;
-  config.plant.max_wheel_acceleration_m_s2 = robot.max_wheel_acceleration_m_s2;
-  config.plant.deadman = hardware::FromSeconds(robot.deadman_s);
+  const WheelsDescription& wheels = robot.wheels.value();
+  config.base = wheels.properties;
+  config.plant.metres_per_pulse = wheels.properties.metres_per_pulse;
+  config.plant.pulses_per_turn = wheels.pulses_per_turn;
+  config.plant.max_wheel_speed_m_s = wheels.properties.max_wheel_speed_m_s;
+  config.plant.max_wheel_acceleration_m_s2 = wheels.max_acceleration_m_s2;
+  config.plant.deadman = hardware::FromSeconds(wheels.deadman_s);
   return config;
 }
 

@@ -178,7 +178,8 @@ void Session::See(const StackState& state, const std::string& step_name) {
   const hardware::StereoFrame frame = Demand(backend_.cameras().Grab(), "grabbing a frame");
   image_hash_.Update(frame.left.bgr);
   image_hash_.Update(frame.right.bgr);
-  VisionResult result = vision_.Run(frame, state.angles, times_);
+  VisionResult result =
+      times_.Measure(kCycleStage, [&] { return vision_.Run(frame, state.angles, times_); });
 
   FrameRecord record;
   record.index = frames_;

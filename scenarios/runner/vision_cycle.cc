@@ -18,12 +18,25 @@ std::unique_ptr<vision::DisparityEstimator> MakeEstimator(const VisionSpec& spec
   return vision::CreateDisparityEstimator(config);
 }
 
+/// Room above the robot below which something is in its way.
+constexpr double kHeadroom_m = 0.05;
+
+control::ObstacleConfig ObstacleConfigOf(const RobotDescription& robot) {
+  control::ObstacleConfig config;
+  config.robot_height_m = robot.height_m + kHeadroom_m;
+  return config;
+}
+
 }  // namespace
 
 VisionCycle::VisionCycle(const VisionSpec& spec,
                          const hardware::PerEye<hardware::CameraModel>& cameras,
-                         const hardware::HeadGeometry& geometry)
-    : spec_(spec), geometry_(geometry), reconstructor_(cameras), estimator_(MakeEstimator(spec)) {}
+                         const RobotDescription& robot)
+    : spec_(spec),
+      geometry_(robot.head_geometry),
+      obstacles_(ObstacleConfigOf(robot)),
+      reconstructor_(cameras),
+      estimator_(MakeEstimator(spec)) {}
 
 VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
                               const hardware::HeadAngles& angles,
@@ -35,11 +48,12 @@ VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
   result.disparity = times.Measure(
       "disparity", [&] { return estimator_->Estimate(frame.left.bgr, frame.right.bgr); });
   const vision::PointField points_B = times.Measure("reconstruction", [&] {
-    const auto points_H =
-        reconstructor_.Reconstruct(result.disparity, angles, geometry_.baseline_m);
+    const auto points_H = reconstructor_.Reconstruct(result.disparity, angles, geometry_.baseline_m,
+                                                     geometry_.axis_to_optical_centre_m);
     return vision::Transformed(points_H, control::HeadPose(geometry_, angles.neck));
   });
-  result.points_B = times.Measure("obstacle points", [&] { return control::Split(points_B, {}); });
+  result.points_B =
+      times.Measure("obstacle points", [&] { return control::Split(points_B, obstacles_); });
   result.depth_m = vision::DepthAlongOptical(
       points_B, control::EyePose(geometry_, angles, hardware::Eye::kLeft));
 

@@ -11,6 +11,7 @@
 #include "hardware/types/head_geometry.h"
 #include "hardware/types/stage_times.h"
 #include "hardware/types/stereo_frame.h"
+#include "scenarios/format/robot_description.h"
 #include "scenarios/format/scenario.h"
 #include "vision/disparity/disparity_estimator.h"
 #include "vision/disparity/disparity_field.h"
@@ -34,7 +35,7 @@ class VisionCycle {
  public:
   /// @throws hardware::ConfigError
   VisionCycle(const VisionSpec& spec, const hardware::PerEye<hardware::CameraModel>& cameras,
-              const hardware::HeadGeometry& geometry);
+              const RobotDescription& robot);
 
   /// @param angles as the encoders reported them when the images were taken
   VisionResult Run(const hardware::StereoFrame& frame, const hardware::HeadAngles& angles,
@@ -43,6 +44,7 @@ class VisionCycle {
  private:
   VisionSpec spec_;
   hardware::HeadGeometry geometry_;
+  control::ObstacleConfig obstacles_;
   vision::Reconstructor reconstructor_;
   std::unique_ptr<vision::DisparityEstimator> estimator_;
 };

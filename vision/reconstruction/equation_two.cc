@@ -13,16 +13,16 @@ Eigen::Matrix3d PaperToBody() {
   return R;
 }
 
-PaperEye EyeFromAngles(const hardware::PanTilt& angles, hardware::Eye eye, double baseline_m) {
+PaperEye EyeFromAngles(const hardware::PanTilt& angles, hardware::Eye eye, double baseline_m,
+                       double axis_to_optical_centre_m) {
   const double alpha = -angles.pan_rad;
   const double beta = angles.tilt_rad;
   const double sa = std::sin(alpha), ca = std::cos(alpha);
   const double sb = std::sin(beta), cb = std::cos(beta);
   const double side = eye == hardware::Eye::kLeft ? -1 : 1;
-  return {{ca, 0, sa},
-          {sa * sb, cb, -ca * sb},
-          {sa * cb, -sb, -ca * cb},
-          {side * baseline_m / 2, 0, 0}};
+  const Eigen::Vector3d forward(sa * cb, -sb, -ca * cb);
+  const Eigen::Vector3d axis(side * baseline_m / 2, 0, 0);
+  return {{ca, 0, sa}, {sa * sb, cb, -ca * sb}, forward, axis + axis_to_optical_centre_m * forward};
 }
 
 PaperEye EyeFromPose(const hardware::Pose& X_HC) {

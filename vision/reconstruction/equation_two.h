@@ -26,9 +26,10 @@ struct PaperEye {
   Eigen::Vector3d centre;   ///< optical centre; (-+b/2, 0, 0) in the paper
 };
 
-/// An eye that turns about its optical centre by pan and tilt (body conventions: pan positive to
-/// the left), as the paper has it.
-PaperEye EyeFromAngles(const hardware::PanTilt& angles, hardware::Eye eye, double baseline_m);
+/// An eye that turns by pan and tilt (body conventions: pan positive to the left) about its optical
+/// centre, as the paper has it, or about a point `axis_to_optical_centre_m` behind that.
+PaperEye EyeFromAngles(const hardware::PanTilt& angles, hardware::Eye eye, double baseline_m,
+                       double axis_to_optical_centre_m = 0);
 
 /// An eye anywhere in the head. @param X_HC optical frame in the head frame
 PaperEye EyeFromPose(const hardware::Pose& X_HC);

@@ -99,7 +99,8 @@ Reconstructor::Reconstructor(const hardware::PerEye<CameraModel>& cameras,
       right_(cameras.right) {}
 
 PointField Reconstructor::Reconstruct(const DisparityField& disparity,
-                                      const hardware::HeadAngles& angles, double baseline_m) const {
+                                      const hardware::HeadAngles& angles, double baseline_m,
+                                      double axis_to_optical_centre_m) const {
   if (!(std::isfinite(baseline_m) && baseline_m > 0)) {
     throw std::invalid_argument("baseline_m = " + std::to_string(baseline_m) +
                                 ": must be finite and positive");
@@ -111,8 +112,9 @@ PointField Reconstructor::Reconstruct(const DisparityField& disparity,
                                   " eye's pan or tilt is not finite");
     }
   }
-  return Solve(disparity, EyeFromAngles(angles.left, Eye::kLeft, baseline_m),
-               EyeFromAngles(angles.right, Eye::kRight, baseline_m));
+  return Solve(disparity,
+               EyeFromAngles(angles.left, Eye::kLeft, baseline_m, axis_to_optical_centre_m),
+               EyeFromAngles(angles.right, Eye::kRight, baseline_m, axis_to_optical_centre_m));
 }
 
 PointField Reconstructor::Reconstruct(const DisparityField& disparity,

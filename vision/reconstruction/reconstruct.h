@@ -42,12 +42,13 @@ class Reconstructor {
                          const ReconstructionConfig& config = {});
 
   /// @param angles the eyes' pan and tilt count; the neck does not move the result's frame
-  /// @param baseline_m distance of the optical centres, about which the eyes turn
+  /// @param baseline_m distance of the eyes' axes
+  /// @param axis_to_optical_centre_m how far each optical centre is before its axis; 0 in the paper
   /// @return points in the head frame H: midway between the optical centres, body axes
   /// @throws std::invalid_argument when the field's size is not the left camera's, an angle is not
   ///         finite, or the baseline is not positive
   PointField Reconstruct(const DisparityField& disparity, const hardware::HeadAngles& angles,
-                         double baseline_m) const;
+                         double baseline_m, double axis_to_optical_centre_m = 0) const;
 
   /// The same for eyes that stand anywhere: X_HC is each optical frame in the frame H of the
   /// result (body axes), for heads whose optical centres lie off the pan axes.

@@ -169,9 +169,7 @@ TEST(NavigatorDrive, SameInputsGiveTheSameDecisions) {
 /// one frontal obstacle with room beside it.
 TEST(NavigatorDrive, ThePapersRuleAloneGetsRoundAFrontalObstacle) {
   NavigatorConfig paper = NavigatorConfig::Paper();
-  paper.avoid_max_m = 1.4;
-  paper.obstacle_distance_m = 1.2;
-  paper.strips.central_fraction = 0.6;
+  paper.obstacle_distance_m = 1.2;  // what scenarios give it
   const Drive drive = DriveThrough(ToyWorld({{{1.5, 0.05}, 0.15}}), {3, 0}, {}, paper);
   EXPECT_EQ(drive.end, NavigatorState::kReached);
   EXPECT_GE(drive.waypoints, 1);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "hardware/types/config_error.h"
 #include "scenarios/format/scenes.h"
 #include "tests/scenarios/format/corpus.h"
 
@@ -27,14 +28,43 @@ TEST(RobotDescription, ShippedKoalaHasTheLimitsOfItsPanTiltUnit) {
   EXPECT_FALSE(robot.head_limits[static_cast<std::size_t>(HeadAxis::kNeckPan)].exists());
   EXPECT_GT(robot.head_geometry.baseline_m, 0);
   EXPECT_GT(robot.head_geometry.X_BN.translation().z(), 0);
-  EXPECT_NEAR(robot.base.metres_per_pulse * robot.pulses_per_turn, 2 * M_PI * robot.wheel_radius_m,
-              1e-4);
+  ASSERT_TRUE(robot.wheels);
+  EXPECT_EQ(robot.wheels->pulses_per_turn, 5850);
+  EXPECT_GT(robot.encoder_step_deg, 0);
+  EXPECT_EQ(robot.Cameras("").width_px, 640);
+  EXPECT_NEAR(robot.Cameras("eyes").Model().horizontal_fov_rad(), M_PI / 3, 1e-9);
+}
+
+TEST(RobotDescription, RobotWithoutWheelsHasNone) {
+  const RobotDescription robot = ParseRobotDescription(
+      "{name: bust, radius_m: 0.2, height_m: 0.5, head: {neck_m: [0, 0, 0.4], baseline_m: 0.06},"
+      " cameras: {eyes: {left: l, right: r, width_px: 64, height_px: 48, horizontal_fov_deg: 60}}}",
+      "robot.yaml");
+  EXPECT_FALSE(robot.wheels);
+  for (const hardware::AxisLimits& axis : robot.head_limits) EXPECT_FALSE(axis.exists());
+}
+
+TEST(RobotDescription, UnknownPairIsRefusedWithTheNamesThereAre) {
+  const RobotDescription robot = LoadRobotDescription(kKoala);
+  try {
+    robot.Cameras("fovea");
+    FAIL();
+  } catch (const hardware::ConfigError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("camera = fovea"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("eyes"));
+  }
+}
+
+TEST(RobotDescription, UnknownAxisIsRefused) {
+  std::string text = Slurp(kKoala);
+  text.replace(text.find("left_pan:"), 9, "lift_pan:");
+  EXPECT_THROW(ParseRobotDescription(text, "robot.yaml"), ScenarioError);
 }
 
 TEST(RobotDescription, MissingAndUnknownKeysAreAllNamed) {
   std::string text = Slurp(kKoala);
   const std::string key = "baseline_m:";
-  text.replace(text.find("\n" + key) + 1, key.size(), "baselin_m:");
+  text.replace(text.find(key), key.size(), "baselin_m:");
   try {
     ParseRobotDescription(text, "robot.yaml");
     FAIL();

@@ -17,10 +17,17 @@ class ScenarioChecks : public testing::Test {
  protected:
   ScenarioChecks() {
     std::string robot = Slurp(HOROPTER_SOURCE_DIR "/scenes/koala/robot.yaml");
-    Replace(robot, "pan_min_deg: -158.9", "pan_min_deg: -60");
-    Replace(robot, "pan_max_deg: 158.9", "pan_max_deg: 60");
+    for (int eye = 0; eye < 2; ++eye) {
+      Replace(robot, "min_deg: -158.9, max_deg: 158.9", "min_deg: -60, max_deg: 60");
+    }
     scenes_.Write("koala/robot.yaml", robot);
-    scenes_.Write("koala/room.xml", "");
+    scenes_.Write("koala/koala.xml",
+                  "<mujoco><worldbody><body name='base'><camera name='left'/><camera name='right'/>"
+                  "</body></worldbody></mujoco>");
+    scenes_.Write("koala/room.xml",
+                  "<mujoco><include file='koala.xml'/><worldbody><body name='board'/></worldbody>"
+                  "</mujoco>");
+    scenes_.Write("koala/shell.xml", "<mujoco/>");
   }
 
   static void Replace(std::string& text, const std::string& from, const std::string& to) {
@@ -70,6 +77,59 @@ TEST_F(ScenarioChecks, ScenesAndRobotsMustExist) {
               HasSubstr("did you mean 'koala/room.xml'?"));
   EXPECT_THAT(Faults("wait: {duration_s: 1}", "koala/room.xml", "robot: koalla\n"),
               HasSubstr("s.yaml:2:8: unknown robot 'koalla'"));
+}
+
+TEST_F(ScenarioChecks, TheSceneMustHoldTheRobot) {
+  EXPECT_THAT(Faults("wait: {duration_s: 1}", "koala/shell.xml"),
+              HasSubstr("s.yaml:1:8: scene 'koala/shell.xml' has no camera 'left'"));
+}
+
+TEST_F(ScenarioChecks, BodiesToPlaceMustBeInTheScene) {
+  const auto placed = [this](const std::string& body) {
+    return Faults("wait: {duration_s: 1}", "koala/room.xml",
+                  "bodies: {" + body + ": {position_m: [1, 0, 0]}}\n");
+  };
+  EXPECT_EQ(placed("board"), "");
+  EXPECT_THAT(placed("bord"), HasSubstr("s.yaml:2:16: bodies.bord: scene 'koala/room.xml'"));
+  EXPECT_THAT(placed("bord"), HasSubstr("did you mean 'board'?"));
+}
+
+TEST_F(ScenarioChecks, HoldsAndTimeoutsFitIntoTheTimeLimit) {
+  EXPECT_THAT(Faults("goto: {x_m: 1, y_m: 0, timeout_s: 500}"), HasSubstr("goto.timeout_s = 500"));
+  EXPECT_THAT(Faults("wait: {duration_s: 500}"), HasSubstr("lasts at least 500 s"));
+  EXPECT_THAT(Faults("wait: {duration_s: 100}\n  - wait: {duration_s: 30}"),
+              HasSubstr("s.yaml:4:5: with this step the run lasts at least 130 s"));
+  EXPECT_EQ(Faults("wait: {duration_s: 100}"), "");
+}
+
+TEST_F(ScenarioChecks, WhatTheNavigatorCannotDoIsOutOfRange) {
+  EXPECT_THAT(Faults("goto: {x_m: 1, y_m: 0, tolerance_m: 0.03}"),
+              HasSubstr("tolerance_m = 0.03: must be a number from 0.05"));
+  EXPECT_THAT(
+      Faults("wait: {duration_s: 1}", "koala/room.xml",
+             "navigation: {cruise_speed_m_s: 0.02, obstacle_limit_m: 5}\n"),
+      testing::AllOf(HasSubstr("cruise_speed_m_s = 0.02"), HasSubstr("obstacle_limit_m = 5")));
+}
+
+TEST_F(ScenarioChecks, RobotWithoutWheelsDoesNotDrive) {
+  std::string robot = Slurp(HOROPTER_SOURCE_DIR "/scenes/koala/robot.yaml");
+  robot.erase(robot.find("wheels:"), robot.find("head:") - robot.find("wheels:"));
+  scenes_.Write("koala/robot.yaml", robot);
+  EXPECT_THAT(Faults("goto: {x_m: 1, y_m: 0}"), HasSubstr("has no wheels"));
+}
+
+TEST_F(ScenarioChecks, WhatIsLeftOutIsTheRobots) {
+  const auto parsed = [this](const std::string& more) {
+    return ParseScenarioText(
+        "scene: koala/room.xml\n" + more + "steps:\n  - wait: {duration_s: 1}\nexpect: []\n",
+        "s.yaml", {scenes_.path()});
+  };
+  EXPECT_EQ(parsed("").camera.horizontal_fov_deg, 60);
+  EXPECT_EQ(parsed("").head.encoder_step_deg, 0.0514285);
+  EXPECT_EQ(parsed("camera: {horizontal_fov_deg: 40}\n").camera.horizontal_fov_deg, 40);
+  EXPECT_EQ(parsed("head: {encoder_step_deg: 0}\n").head.encoder_step_deg, 0);
+  const Scenario whole = parsed("");
+  EXPECT_THAT(ResolvedYaml(whole), HasSubstr("horizontal_fov_deg: 60"));
 }
 
 TEST_F(ScenarioChecks, AFaultInOneStepDoesNotHideAnother) {

@@ -141,6 +141,24 @@ TEST(Triangulation, PosesAndAnglesAgree) {
   EXPECT_LT(cv::norm(a.points, b.points, cv::NORM_INF, d.valid), 1e-6);
 }
 
+TEST(Triangulation, OpticalCentresBeforeTheirAxesAreAccountedFor) {
+  constexpr double kLever = 0.03;
+  const auto cameras = SameCameras(Camera());
+  const HeadAngles angles = Verged(0.2, -0.1, 0.1, 0.04);
+  PerEye<Pose> poses = Poses(angles);
+  for (const Eye eye : hardware::kBothEyes) {
+    poses[eye].translation() += kLever * poses[eye].linear().col(2);
+  }
+  const DisparityField d = TrueDisparity(cameras, angles);
+  const Reconstructor reconstructor(cameras);
+  const PointField a = reconstructor.Reconstruct(d, angles, kBaseline, kLever);
+  const PointField b = reconstructor.Reconstruct(d, poses);
+  EXPECT_LT(cv::norm(a.points, b.points, cv::NORM_INF, d.valid), 1e-6);
+  EXPECT_GT(cv::norm(a.points, reconstructor.Reconstruct(d, angles, kBaseline).points, cv::NORM_INF,
+                     d.valid),
+            kLever / 2);
+}
+
 TEST(Triangulation, DepthNoiseIsWhatTheGeometryPredicts) {
   const CameraModel camera = CameraModel::FromHorizontalFov(160, 120, 1.0);
   const double f = camera.intrinsics().fx;
