@@ -5,23 +5,23 @@
 #include <opencv2/core/mat.hpp>
 
 #include "sim/truth/ground_truth.h"
+#include "sim/truth/scene_snapshot.h"
 
 namespace horopter::sim {
 
-/// What becomes of a left pixel in the right image.
+/// What becomes of a pixel of one view in another.
 enum class Visibility : std::uint8_t {
-  kNoSurface,  ///< the left eye sees nothing there
+  kNoSurface,  ///< the first view sees nothing there
   kVisible,
-  kOccluded,   ///< something nearer covers the point in the right image
-  kOutOfView,  ///< the point falls outside the right image, or behind the right eye
-  kEdge,       ///< within a pixel of an edge in the right image: sampled depth cannot tell
+  kOccluded,   ///< it would be in the other image, but something nearer covers it, or it faces away
+  kOutOfView,  ///< it falls outside the other image, behind that eye, or nearer than it can see
 };
 
-/// Exact vector disparity of every left pixel's centre, in the convention of
-/// vision::DisparityField: what the left image shows at (x, y) lies at (x + dx, y + dy) in the
-/// right. All maps have the size of the left image.
-struct TrueDisparityField {
-  cv::Mat1f dx;  ///< [px], also where occluded or out of view; NaN = no surface, or behind the eye
+/// Where the surface points at one view's pixel centres lie in another view: what the first image
+/// shows at (x, y) lies at (x + dx, y + dy) in the other, the convention of vision::DisparityField.
+/// All maps have the size of the first view.
+struct CorrespondenceField {
+  cv::Mat1f dx;  ///< [px], also where occluded or out of view; NaN = no surface, or no projection
   cv::Mat1f dy;
   cv::Mat1b visibility;  ///< of type Visibility
 
@@ -30,18 +30,29 @@ struct TrueDisparityField {
   cv::Mat1b Mask(Visibility which) const;
 };
 
-/// Disparity by projecting each left pixel's surface point into the right eye: any verged, rolled
-/// or mixed-field-of-view pair, distorted or not.
+/// The general case: from what an eye saw at one instant to what an eye sees at another. Each point
+/// moves with the geom that it is on.
 ///
-/// Occlusion compares the point with the four right pixels around its projection. Each of them is
-/// held against the tangent plane of the left pixel's surface (1/z is linear in a pixel's ray on a
-/// plane, so it is found from neighbours of the same object), so that slant is not mistaken for
-/// something nearer; object ids tell apart surfaces that lie close together.
-/// @pre the maps of both eyes have the sizes of their camera models
-TrueDisparityField TrueDisparity(const EyeTruth& left, const EyeTruth& right);
+/// Points are found again in double precision and held against the other instant's geometry by a
+/// ray from the other eye, so displacement and visibility are exact for the pixel's centre,
+/// whatever the two cameras are: verged, tilted, rolled, of different focal lengths, distorted. Two
+/// surfaces within 1e-7 of their depth count as one.
+/// @param from seen in `from_scene` (CaptureEyeTruth)
+/// @param to_scene of the same shapes as `from_scene`
+CorrespondenceField TrueCorrespondence(const SceneSnapshot& from_scene, const EyeTruth& from,
+                                       const SceneSnapshot& to_scene, const EyeView& to);
 
-inline TrueDisparityField TrueDisparity(const GroundTruth& truth) {
-  return TrueDisparity(truth.left, truth.right);
+/// Vector disparity between two eyes of one instant; either may be the left.
+inline CorrespondenceField TrueDisparity(const SceneSnapshot& scene, const EyeTruth& from,
+                                         const EyeView& to) {
+  return TrueCorrespondence(scene, from, scene, to);
+}
+
+/// Optical flow of one camera from an earlier instant to a later (or the reverse), with eyes and
+/// objects moving.
+inline CorrespondenceField TrueFlow(const SceneSnapshot& then, const EyeTruth& seen_then,
+                                    const SceneSnapshot& now, const EyeView& view_now) {
+  return TrueCorrespondence(then, seen_then, now, view_now);
 }
 
 }  // namespace horopter::sim

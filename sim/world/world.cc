@@ -280,7 +280,9 @@ std::vector<Contact> World::Contacts() const {
     if (c.dist > 0) continue;  // within the geoms' margin, not touching
     contacts.push_back({Name(mjOBJ_GEOM, c.geom1), Name(mjOBJ_GEOM, c.geom2),
                         Name(mjOBJ_BODY, model_->geom_bodyid[c.geom1]),
-                        Name(mjOBJ_BODY, model_->geom_bodyid[c.geom2]), c.dist});
+                        Name(mjOBJ_BODY, model_->geom_bodyid[c.geom2]), c.dist,
+                        Eigen::Map<const Eigen::Vector3d>(c.pos),
+                        Eigen::Map<const Eigen::Vector3d>(c.frame)});
   }
   return contacts;
 }

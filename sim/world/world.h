@@ -37,6 +37,8 @@ struct Contact {
   std::string body1;
   std::string body2;
   double distance_m = 0;  ///< negative: penetration
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();       ///< midway between the surfaces
+  Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();  ///< from geom1 to geom2, unit length
 };
 
 /// One MuJoCo model and its state: the physics of a scene.

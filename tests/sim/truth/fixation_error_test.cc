@@ -40,7 +40,7 @@ TEST(FixationError, OfBothEyesOfATruth) {
   const hardware::CameraModel camera = hardware::CameraModel::FromHorizontalFov(4, 4, 1);
   const EyeView left{EyePose({0, 0.1, 0}, -std::atan2(0.1, 1.0), 0), camera};
   const EyeView right{EyePose({0, -0.1, 0}, 0, 0), camera};
-  const GroundTruth truth{{}, {left, {}, {}}, {right, {}, {}}, Pose::Identity(), {}, {}};
+  const GroundTruth truth{{}, {left, {}, {}, {}}, {right, {}, {}, {}}};
   const auto error = FixationError(truth, {1, 0, 0});
   EXPECT_NEAR(error.left, 0, 1e-12);
   EXPECT_NEAR(error.right, std::atan2(0.1, 1.0), 1e-12);
