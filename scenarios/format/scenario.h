@@ -161,7 +161,7 @@ struct Scenario {
   std::string robot = "koala";
   std::string backend = "sim";
   std::uint64_t seed = 1;
-  double time_limit_s = 120;  ///< simulated; the run then ends with what it has
+  double time_limit_s = 120;  ///< simulated; a run that has not ended by then fails
   VariationSpec variation;
   std::map<std::string, BodyPlacement> bodies;
   CameraSpec camera;

@@ -204,7 +204,7 @@ void Visit(FieldVisitor& v, Scenario& s) {
   v.Choice({"backend", "", "What the robot is made of."}, BackendNames(), s.backend);
   v.Integral({"seed", "", "Varies what a lab would vary; the command line may replace it."},
              {0, kLargestSeed}, s.seed);
-  v.Number({"time_limit_s", "s", "Simulated time after which the run ends with what it has."},
+  v.Number({"time_limit_s", "s", "Simulated time after which a run that has not ended fails."},
            kPositiveTime, s.time_limit_s);
   v.Section({"variation", "", "What a seed changes."}, TableOf(s.variation));
   v.Map(BodyMap(s.bodies));
