@@ -42,6 +42,7 @@ int PositionActuator(const mjModel& model, int joint, const std::string& name) {
 
 VirtualHead::VirtualHead(World& world, const VirtualHeadConfig& config)
     : world_(world),
+      time_zero_(config.time_zero),
       encoder_resolution_(config.encoder_resolution_rad),
       encoder_noise_(config.encoder_noise_rad) {
   if (!(encoder_resolution_ >= 0) || !(encoder_noise_ >= 0)) {
@@ -49,6 +50,7 @@ VirtualHead::VirtualHead(World& world, const VirtualHeadConfig& config)
         {{"head.encoder_resolution_rad, encoder_noise_rad",
           fmt::format("{}, {}", encoder_resolution_, encoder_noise_), "must not be negative"}});
   }
+  hardware::ThrowIfAny(Validate(config.faults));
   bool any = false;
   for (int i = 0; i < hardware::kHeadAxisCount; ++i) {
     axes_[i] = FindAxis(i, config);
@@ -60,6 +62,18 @@ VirtualHead::VirtualHead(World& world, const VirtualHeadConfig& config)
         fmt::format("scene '{}' has no head: no joint is named left_pan, neck_pan, ...",
                     world.path().string()));
   }
+  RequireAxes(config);
+}
+
+void VirtualHead::RequireAxes(const VirtualHeadConfig& config) const {
+  std::vector<hardware::FieldError> errors;
+  for (int i = 0; i < hardware::kHeadAxisCount; ++i) {
+    const auto axis = static_cast<hardware::HeadAxis>(i);
+    if (axes_[i] || AxisFaults(config.faults, axis, config.seed).none()) continue;
+    errors.push_back({"faults", std::string(hardware::kHeadAxisNames[i]),
+                      "is an axis that the scene's head does not have"});
+  }
+  hardware::ThrowIfAny(std::move(errors));
 }
 
 std::optional<VirtualHead::Axis> VirtualHead::FindAxis(int axis,
@@ -73,9 +87,12 @@ std::optional<VirtualHead::Axis> VirtualHead::FindAxis(int axis,
   const int position_index = model.jnt_qposadr[joint];
   const double stiffness = model.actuator_gainprm[mjNGAIN * actuator];
   const double damping = model.dof_damping[model.jnt_dofadr[joint]];
-  return Axis{AxisServo(config.limits[axis], world_.data().qpos[position_index]), position_index,
-              actuator, stiffness > 0 ? damping / stiffness : 0,
-              RandomStream(config.seed, "head." + name + ".encoder")};
+  return Axis{AxisServo(config.limits[axis], world_.data().qpos[position_index]),
+              position_index,
+              actuator,
+              stiffness > 0 ? damping / stiffness : 0,
+              RandomStream(config.seed, "head." + name + ".encoder"),
+              AxisFaults(config.faults, static_cast<hardware::HeadAxis>(axis), config.seed)};
 }
 
 void VirtualHead::Command(const hardware::HeadAngles& target) {
@@ -87,14 +104,24 @@ void VirtualHead::Command(const hardware::HeadAngles& target) {
 
 void VirtualHead::Update() {
   const double dt_s = hardware::ToSeconds(world_.step());
-  mjData& data = world_.mutable_data();
   for (std::optional<Axis>& axis : axes_) {
-    if (!axis) continue;
-    // The servo pulls from where the joint is before the step, but is damped by the speed after it.
-    const double position_rad = axis->servo.position_rad();
-    axis->servo.Advance(dt_s);
-    data.ctrl[axis->actuator] = position_rad + axis->lag_s * axis->servo.speed_rad_s();
+    if (axis) Advance(*axis, dt_s);
   }
+}
+
+void VirtualHead::Advance(Axis& axis, double dt_s) {
+  const double position_rad = axis.servo.position_rad();
+  if (axis.faults.Stuck(Now())) {
+    const double target_rad = axis.servo.target_rad();
+    axis.servo = AxisServo(axis.servo.limits(), position_rad);
+    axis.servo.SetTarget(target_rad);
+  } else {
+    axis.servo.Advance(dt_s);
+  }
+  // The actuator pulls from where the joint is before the step, but is damped by the speed after
+  // it.
+  const AxisFaults::Load load = axis.faults.Follow(position_rad, axis.servo.speed_rad_s(), Now());
+  world_.mutable_data().ctrl[axis.actuator] = load.position_rad + axis.lag_s * load.speed_rad_s;
 }
 
 hardware::HeadAngles VirtualHead::TrueAngles() const {
@@ -117,6 +144,7 @@ hardware::HeadAngles VirtualHead::ReadEncoders() {
   hardware::HeadAxisArray angles = hardware::ToArray(TrueAngles());
   for (int i = 0; i < hardware::kHeadAxisCount; ++i) {
     if (!axes_[i]) continue;
+    angles[i] = axes_[i]->faults.Read(angles[i], Now());
     if (encoder_noise_ > 0) angles[i] += encoder_noise_ * axes_[i]->noise.Gaussian();
     if (encoder_resolution_ > 0) {
       angles[i] = encoder_resolution_ * std::round(angles[i] / encoder_resolution_);
