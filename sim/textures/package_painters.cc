@@ -32,6 +32,10 @@ std::string Word(const TextureRecipe& recipe) {
   return word == recipe.words.end() ? "BRAND" : word->second;
 }
 
+int Motif(const TextureRecipe& recipe) {
+  return std::clamp(static_cast<int>(recipe.Number("motif", 0)), 0, 3);
+}
+
 struct Palette {
   Vec3f ground;
   Vec3f accent;
@@ -111,8 +115,7 @@ Painter MainPanel(const TextureRecipe& recipe, const Surface& s, std::uint64_t s
   const Rectangle oval = Part(all, 0.05, 0.13, 0.95, 0.39);
   const Lettering brand(Word(recipe), Part(oval, 0.12, 0.28, 0.88, 0.72));
   const TextBlock slogan(random, Part(all, 0.12, 0.43, 0.88, 0.50), 0.035 * s.height_m);
-  const int motif = std::clamp(static_cast<int>(recipe.Number("motif", 0)), 0, 3);
-  const Heap heap(random, Part(all, 0.07, 0.54, 0.93, 0.86), motif);
+  const Heap heap(random, Part(all, 0.07, 0.54, 0.93, 0.86), Motif(recipe));
   const TextBlock foot(random, Part(all, 0.07, 0.90, 0.70, 0.97), 0.022 * s.height_m);
   const Lettering weight("1 KG", Part(all, 0.74, 0.905, 0.93, 0.955));
   const TilingNoise grain = Grain(s, seed);
@@ -197,7 +200,7 @@ Painter LabelPainter(const TextureRecipe& recipe, const Surface& surface, std::u
   const Rectangle panel{-0.42 * r, 0.22 * h, 0.42 * r, 0.84 * h};
   const TextBlock text(random, Part(panel, 0.06, 0.04, 0.94, 0.7), 0.035 * h);
   const Barcode code(random, Part(panel, 0.1, 0.76, 0.9, 0.96));
-  const Heap bubbles(random, {-M_PI / 2 * r, 0.62 * h, M_PI / 2 * r, 0.9 * h}, 2);
+  const Heap heap(random, {-M_PI / 2 * r, 0.62 * h, M_PI / 2 * r, 0.9 * h}, Motif(recipe));
   const bool metal = recipe.Number("metal", 1) != 0;
   const TilingNoise grain(print + 1, 1, 1, {0.25, 6, 0.85, 1});
   return [=](double x, double y) {
@@ -214,7 +217,7 @@ Painter LabelPainter(const TextureRecipe& recipe, const Surface& surface, std::u
     const double side_m = std::remainder(p.angle_rad - M_PI / 2, M_PI) * r;
     Vec3f bgr = palette.ground;
     const double wave = p.down - 0.5 - 0.07 * std::sin(2 * p.angle_rad);
-    if (wave > 0.08) bgr = bubbles.Colour(front_m, down_m, palette.ground * 0.75f);
+    if (wave > 0.08) bgr = heap.Colour(front_m, down_m, palette.ground * 0.75f);
     if (std::abs(wave) < 0.08) bgr = std::abs(wave) < 0.055 ? palette.accent : kPaper;
     bgr = Mix(bgr, kPaper, brand.Ink(front_m, down_m));
     if (panel.Contains(side_m, down_m)) bgr = kPaper;

@@ -16,8 +16,8 @@ namespace horopter::sim {
 /// the picture shows: 0 cubes, 1 grains, 2 berries, 3 leaves.
 Painter PackagePainter(const TextureRecipe& recipe, const Surface& surface, std::uint64_t seed);
 
-/// The print around a tin, a can or a bottle: the brand twice, a wave, bubbles, small print, and
-/// lids of bare metal unless `metal=0`.
+/// The print around a tin, a can or a bottle: the brand twice, a wave, a picture by `motif`, small
+/// print, and lids of bare metal unless `metal=0`.
 Painter LabelPainter(const TextureRecipe& recipe, const Surface& surface, std::uint64_t seed);
 
 /// Glazed crockery with bands and rows of dots around it.

@@ -25,7 +25,7 @@ const std::map<std::string, std::vector<std::string>>& Recipes() {
       {"die", {}},
       {"fabric", {"hue_deg"}},
       {"giraffe", {"hue_deg", "patches", "print"}},
-      {"label", {"accent_deg", "hue_deg", "metal", "print", "word"}},
+      {"label", {"accent_deg", "hue_deg", "metal", "motif", "print", "word"}},
       {"grass", {}},
       {"marble", {}},
       {"package", {"accent_deg", "hue_deg", "motif", "print", "word"}},
