@@ -22,6 +22,9 @@
 
 namespace horopter::scenarios {
 
+/// Stage that the whole of a vision cycle is booked under: what VisionSpec::latency_s models.
+inline constexpr char kCycleStage[] = "vision, a cycle";
+
 /// What the runner is told and asked while a run goes on.
 struct RunHooks {
   /// Simulated seconds so far, and what is being done.
