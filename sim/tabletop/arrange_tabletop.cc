@@ -154,7 +154,7 @@ Tabletop ArrangeTabletop(World& world, const TabletopConfig& config, std::uint64
 
   Tabletop tabletop;
   if (config.occlusion) {
-    tabletop.target_hidden = plan.Find(config.occlusion->target).silhouette.hidden();
+    tabletop.target_hidden = plan.Hidden(config.occlusion->target);
   }
   for (const auto& standing : plan.standing()) {
     tabletop.X_WThing[standing.thing.name()] = standing.X_WB;

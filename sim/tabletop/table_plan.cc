@@ -35,7 +35,9 @@ TablePlan::TablePlan(const World& world, const TabletopConfig& config,
   if (world.model().geom_type[top] != mjGEOM_BOX || !level) {
     throw SceneError("geom 'table_top' must be a level box");
   }
-  half_m_ = {half[0], half[1]};
+  const ArrangementConfig& area = config.arrangement;
+  half_m_ = {std::min(half[0] - area.gap_m, area.depth_m / 2),
+             std::min(half[1] - area.gap_m, area.width_m / 2)};
   centre_W_ = X_WTable_ * Eigen::Vector3d(0, 0, half[2]);
 }
 
@@ -74,8 +76,7 @@ bool TablePlan::OnTable(const GroundPlan& plan) const {
   const auto corners = plan.Corners();
   return std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector2d& corner) {
     const Eigen::Vector3d p = X_WTable_.inverse() * Eigen::Vector3d(corner.x(), corner.y(), 0);
-    return std::abs(p.x()) <= half_m_.x() - config_.arrangement.gap_m &&
-           std::abs(p.y()) <= half_m_.y() - config_.arrangement.gap_m;
+    return std::abs(p.x()) <= half_m_.x() && std::abs(p.y()) <= half_m_.y();
   });
 }
 
@@ -124,6 +125,15 @@ TablePlan::Standing TablePlan::Take(const std::string& name) {
   std::erase_if(standing_, [&](const Standing& s) { return s.thing.name() == name; });
   Refresh();
   return taken;
+}
+
+double TablePlan::Hidden(const std::string& name) const {
+  const Standing& one = Find(name);
+  Silhouette fine(one.thing, one.X_WB, viewpoint_W_, kFineGrid);
+  for (const Standing& other : standing_) {
+    if (other.thing.name() != name) fine.Hide(other.thing, other.X_WB);
+  }
+  return fine.hidden();
 }
 
 void TablePlan::Refresh() {

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +42,8 @@ class TablePlan {
   };
   const std::vector<Standing>& standing() const { return standing_; }
   const Standing& Find(const std::string& name) const;
+  /// Share of a thing that the others hide from the viewpoint, to about 0.01.
+  double Hidden(const std::string& name) const;
 
   /// Middle of the table's top.
   const Eigen::Vector3d& centre_W() const { return centre_W_; }
@@ -73,7 +74,7 @@ class TablePlan {
   TabletopConfig config_;
   Eigen::Vector3d viewpoint_W_;
   Eigen::Vector3d centre_W_;
-  Eigen::Vector2d half_m_;
+  Eigen::Vector2d half_m_;  ///< of the area that things stand on
   hardware::Pose X_WTable_;
   std::vector<Standing> standing_;
 };

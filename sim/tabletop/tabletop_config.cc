@@ -47,6 +47,8 @@ void CheckLight(const LightConfig& light, Checks& checks) {
 std::vector<hardware::FieldError> TabletopConfig::Validate() const {
   Checks checks;
   checks.Within("arrangement.yaw_spread_rad", arrangement.yaw_spread_rad, 0, M_PI);
+  checks.Within("arrangement.depth_m", arrangement.depth_m, 0.1, 10);
+  checks.Within("arrangement.width_m", arrangement.width_m, 0.1, 10);
   checks.Within("arrangement.gap_m", arrangement.gap_m, 0.001, 0.2);
   checks.Within("arrangement.max_hidden", arrangement.max_hidden, 0, 1);
   checks.Within("clutter.count", clutter.count, 0, 100);

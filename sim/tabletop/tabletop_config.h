@@ -18,6 +18,10 @@ struct ArrangementConfig {
   /// An object's front turns away from the viewpoint by up to this, either way. The paper's
   /// recognition holds to 40 or 60 deg.
   double yaw_spread_rad = 25 * M_PI / 180;
+  /// Middle of the table that things stand on: along its x and y. The default is what the
+  /// peripheral cameras see of it at once.
+  double depth_m = 0.75;
+  double width_m = 1.1;
   double gap_m = 0.02;  ///< left free between any two things, and to the table's edge
   /// No more of an object than this is hidden behind the other objects (share of what the viewpoint
   /// would see of it).
