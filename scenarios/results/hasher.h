@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 
+struct evp_md_ctx_st;  // OpenSSL's EVP_MD_CTX
+
 namespace horopter::scenarios {
 
-/// Content hash of images and decisions: SHA-256 (FIPS 180-4) over what it is given, in order.
+/// Content hash of images and decisions: SHA-256 (FIPS 180-4, by OpenSSL) over what it is given, in
+/// order.
 ///
 /// Numbers enter as eight little-endian bytes, so that a hash does not depend on the machine's byte
 /// order; text and images enter with their size before them, so that ("ab", "c") and ("a", "bc")
 /// differ.
 class Hasher {
  public:
+  /// @throws std::runtime_error when OpenSSL has no SHA-256 to give
   Hasher();
 
   /// Exactly these bytes, without their number.
@@ -37,12 +41,14 @@ class Hasher {
   std::string Hex() const;
 
  private:
-  void Compress(const std::uint8_t* block);
+  struct Free {
+    void operator()(evp_md_ctx_st* context) const;
+  };
+  using Context = std::unique_ptr<evp_md_ctx_st, Free>;
 
-  std::array<std::uint32_t, 8> state_;
-  std::array<std::uint8_t, 64> block_{};
-  std::size_t filled_ = 0;         ///< bytes of block_ in use
-  std::uint64_t total_bytes_ = 0;  ///< given so far
+  static Context MakeContext();
+
+  Context context_;
 };
 
 }  // namespace horopter::scenarios

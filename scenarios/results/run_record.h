@@ -36,6 +36,7 @@ struct StageTiming {
   std::optional<double> median_ms;
   std::optional<double> p95_ms;
   int n = 0;
+  std::optional<double> modelled_ms = {};  ///< what the simulation lets it take, where it does
 };
 
 /// Depth against truth over one frame's valid pixels. Fields are absent where nothing was valid.

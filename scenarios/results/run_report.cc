@@ -11,6 +11,7 @@
 #include "scenarios/results/plan_svg.h"
 #include "scenarios/results/text.h"
 #include "scenarios/results/time_chart.h"
+#include "scenarios/results/timing_notice.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -47,6 +48,14 @@ std::string Notice(const RunSummary& run) {
   }
   if (!failures.empty()) html += "<p><b>Not met:</b></p><ul>" + failures + "</ul>";
   return html + "</div>\n";
+}
+
+std::string SlowerThanModelled(const RunSummary& run) {
+  std::string html;
+  for (const std::string& notice : TimingNotices({run})) {
+    html += fmt::format("<p><b>Slower than modelled.</b> {}.</p>", EscapeHtml(notice));
+  }
+  return html.empty() ? "" : "<div class=\"notice incomplete\">" + html + "</div>\n";
 }
 
 std::string ExpectationRow(const ExpectationResult& e) {
@@ -190,10 +199,14 @@ std::string CodeOrDash(const std::string& text) {
   return text.empty() ? "\u2013" : "<code>" + EscapeHtml(text) + "</code>";
 }
 
+/// By the resolved scenario, which has the seed, the backend and every default as they were.
 std::string Repeat(const RunReport& report) {
   const RunSummary& run = report.summary;
-  std::string html = "<section class=\"card\"><h2>To repeat it</h2>\n<pre><code>" +
-                     EscapeHtml(RepeatCommand(run)) + "</code></pre>\n<dl class=\"keys\">\n";
+  std::string html =
+      "<section class=\"card\"><h2>To repeat it</h2>\n<p>In the folder of this page, with the "
+      "scenario as it was then:</p>\n<pre><code>horopter run scenario.yaml</code></pre>\n"
+      "<dl class=\"keys\">\n";
+  if (!run.file.empty()) html += Key("played from", CodeOrDash(run.file));
   html += Key("image hash", CodeOrDash(run.image_hash));
   html += Key("decision hash", CodeOrDash(run.decision_hash));
   html += Key("GL renderer", run.gl_renderer.empty() ? "\u2013" : EscapeHtml(run.gl_renderer));
@@ -221,17 +234,11 @@ std::string Metrics(const RunSummary& run) {
 
 }  // namespace
 
-std::string RepeatCommand(const RunSummary& run) {
-  return fmt::format("horopter run {} --seed {}{}",
-                     ShellWord(run.file.empty() ? "scenario.yaml" : run.file), run.seed,
-                     run.backend.empty() ? "" : " --backend " + ShellWord(run.backend));
-}
-
 std::string RunReportHtml(const RunReport& report) {
   const RunSummary& run = report.summary;
   const std::string title =
       fmt::format("{}: {} seed {}", ToString(run.outcome), run.scenario, run.seed);
-  std::string body = Header(run) + Notice(run);
+  std::string body = Header(run) + Notice(run) + SlowerThanModelled(run);
   body += "<div class=\"columns\">\n" + Where(report) + Expectations(run) + "</div>\n";
   body += FrameSection(report.pictures);
   body += "<div class=\"columns\">\n" + OverTime(report) + "<div>\n" + Timing(run) +

@@ -22,7 +22,4 @@ struct RunReport {
 /// wrong its depth was, the expectations, timing, and what it takes to repeat the run.
 std::string RunReportHtml(const RunReport& report);
 
-/// The command that repeats a run.
-std::string RepeatCommand(const RunSummary& run);
-
 }  // namespace horopter::scenarios

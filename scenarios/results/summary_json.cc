@@ -29,7 +29,10 @@ Json ToJson(const ExpectationResult& expectation) {
 }
 
 Json ToJson(const StageTiming& timing) {
-  return {{"median", OrNull(timing.median_ms)}, {"p95", OrNull(timing.p95_ms)}, {"n", timing.n}};
+  Json json = {
+      {"median", OrNull(timing.median_ms)}, {"p95", OrNull(timing.p95_ms)}, {"n", timing.n}};
+  if (timing.modelled_ms) json["modelled"] = *timing.modelled_ms;
+  return json;
 }
 
 Json ToJson(const hardware::Pose2& pose) {
@@ -172,7 +175,8 @@ class RunReader {
     for (const auto& [stage, value] : Object("timing_ms").items()) {
       const RunReader reader(value, place_ + (place_.empty() ? "" : ".") + "timing_ms." + stage);
       timing[stage] = {reader.Number(value, "median"), reader.Number(value, "p95"),
-                       reader.Required<int>(value, "n", "an integer")};
+                       reader.Required<int>(value, "n", "an integer"),
+                       reader.Number(value, "modelled")};
     }
     return timing;
   }

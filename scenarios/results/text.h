@@ -20,9 +20,6 @@ std::string EscapeHtml(std::string_view text);
 /// A relative path as it stands in an href: percent-encoded but for unreserved characters and '/'.
 std::string UrlPath(std::string_view path);
 
-/// One word for a POSIX shell, quoted only where needed.
-std::string ShellWord(std::string_view word);
-
 /// A field of RFC 4180 CSV; line breaks become spaces, so that a row stays a line.
 std::string CsvField(std::string_view text);
 
@@ -32,7 +29,7 @@ std::string ExactNumber(std::optional<double> value);
 /// For people: four significant digits without exponent noise; a dash for NaN and for nothing.
 std::string ShortNumber(std::optional<double> value);
 
-/// RFC 4648 base64 with padding.
+/// RFC 4648 base64 with padding. @pre less than 2 GiB
 std::string Base64(std::span<const std::uint8_t> bytes);
 
 }  // namespace horopter::scenarios

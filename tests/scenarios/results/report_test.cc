@@ -99,10 +99,14 @@ TEST(RunReport, OfARunThatHasNothingStillSaysSo) {
 }
 
 TEST(RunReport, NamesTheCommandThatRepeatsTheRun) {
-  RunSummary run = ExampleSummary();
-  run.file = "my scenarios/a.yaml";
-  run.seed = 7;
-  EXPECT_EQ(RepeatCommand(run), "horopter run 'my scenarios/a.yaml' --seed 7 --backend sim");
+  // Not the file that it was played from: that may have changed, as may the defaults.
+  const ScratchFolder scratch;
+  RunWriter writer(scratch.path(), "seed: 7\n", ExampleSummary());
+  writer.Finish(ExampleSummary(), ExamplePlan());
+  const std::string html = ContentOf(scratch.path() / "report.html");
+  EXPECT_THAT(html, HasSubstr("<code>horopter run scenario.yaml</code>"));
+  EXPECT_THAT(html, Not(HasSubstr("horopter run " + ExampleSummary().file)));
+  EXPECT_EQ(ContentOf(scratch.path() / "scenario.yaml"), "seed: 7\n");
 }
 
 TEST(EmbedFrames, ShowsTwelveFramesAndTheLastWithinTheBudget) {

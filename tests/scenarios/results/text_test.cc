@@ -35,12 +35,6 @@ TEST(UrlPath, EncodesWhatAnHrefWouldMisread) {
   EXPECT_EQ(UrlPath("a/b c#1?.d%"), "a/b%20c%231%3F.d%25");
 }
 
-TEST(ShellWord, QuotesOnlyWhereNeeded) {
-  EXPECT_EQ(ShellWord("scenarios/koala/a_1.yaml"), "scenarios/koala/a_1.yaml");
-  EXPECT_EQ(ShellWord("it's $HOME"), "'it'\\''s $HOME'");
-  EXPECT_EQ(ShellWord(""), "''");
-}
-
 TEST(CsvField, StaysOneFieldOnOneLine) {
   EXPECT_EQ(CsvField("plain"), "plain");
   EXPECT_EQ(CsvField("a,\"b\"\nc"), "\"a,\"\"b\"\" c\"");
