@@ -22,6 +22,8 @@ struct HeadReading {
 ///   their limits need. Targets beyond an axis' limits are clamped to them, on axes that do not
 ///   exist ignored; a target that is not finite is refused whole with kOutOfRange. Refused with
 ///   kNotActive unless active. A new command replaces the old one.
+/// - Where an axis' range depends on another's angle (NAO's pitch on its yaw), limits() is its
+///   widest, and the axis stays within its range at every angle on the way.
 /// - With targets constant, the readings settle within one encoder step of the clamped targets.
 class StereoHead : public Device {
  public:

@@ -18,7 +18,9 @@ namespace horopter::hardware {
 /// `Traits` is default-constructible, makes a fresh head at rest, and has
 /// - `StereoHead& device()`, `Clock& clock()`;
 /// - `HeadAxisArray encoder_tolerance_rad()`: one encoder step, plus what noise may add;
-/// - `Duration settle_time()`: enough for every axis to cross its range and come to rest.
+/// - `Duration settle_time()`: enough for every axis to cross its range and come to rest;
+/// - where an axis' range depends on another's angle: `HeadAngles Reachable(HeadAngles)`, what a
+///   target within limits() is clamped to.
 template <typename Traits>
 class StereoHeadContract : public testing::Test {
  protected:
@@ -38,12 +40,16 @@ class StereoHeadContract : public testing::Test {
     return reading.ok() ? *reading : HeadReading{};
   }
 
-  /// The same fraction of every axis' range; 0 is the lower limit, 1 the upper.
+  /// The same fraction of every axis' range, as far as it is reachable; 0 is the lower limit, 1 the
+  /// upper.
   HeadAngles Inside(double fraction) {
     HeadAxisArray angles{};
     const HeadLimits limits = head().limits();
     for (int i = 0; i < kHeadAxisCount; ++i) {
       angles[i] = limits[i].min_rad + fraction * (limits[i].max_rad - limits[i].min_rad);
+    }
+    if constexpr (requires { traits_.Reachable(FromArray(angles)); }) {
+      return traits_.Reachable(FromArray(angles));
     }
     return FromArray(angles);
   }

@@ -5,9 +5,11 @@
 #include "hardware/lockstep/lockstep_clock.h"
 #include "tests/hardware/interfaces/contract_camera_pair.h"
 #include "tests/hardware/interfaces/contract_device.h"
+#include "tests/hardware/interfaces/contract_humanoid.h"
 #include "tests/hardware/interfaces/contract_mobile_base.h"
 #include "tests/hardware/interfaces/contract_stereo_head.h"
 #include "tests/hardware/interfaces/kinematic_fakes.h"
+#include "tests/hardware/interfaces/kinematic_humanoid.h"
 
 namespace horopter::hardware {
 namespace {
@@ -56,11 +58,18 @@ class CameraTraits : public FakeTraits<FlatCameras> {
   void ChangeView() { device().set_grey(200); }
 };
 
-using Devices = testing::Types<HeadTraits, BaseTraits, CameraTraits>;
+class HumanoidTraits : public FakeTraits<KinematicHumanoid> {
+ public:
+  static Duration settle_time() { return FromSeconds(0.2); }
+  static double velocity_tolerance() { return 0.02; }
+};
+
+using Devices = testing::Types<HeadTraits, BaseTraits, CameraTraits, HumanoidTraits>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Kinematic, DeviceContract, Devices);
 INSTANTIATE_TYPED_TEST_SUITE_P(Kinematic, StereoHeadContract, HeadTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Kinematic, MobileBaseContract, BaseTraits);
 INSTANTIATE_TYPED_TEST_SUITE_P(Kinematic, CameraPairContract, CameraTraits);
+INSTANTIATE_TYPED_TEST_SUITE_P(Kinematic, HumanoidContract, HumanoidTraits);
 
 }  // namespace
 }  // namespace horopter::hardware
