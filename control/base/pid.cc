@@ -5,23 +5,17 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::control {
 
 std::vector<hardware::FieldError> PidConfig::Validate(const std::string& prefix) const {
-  std::vector<hardware::FieldError> errors;
-  const auto gain = [&](const char* field, double value) {
-    if (!(std::isfinite(value) && value >= 0)) {
-      errors.push_back({prefix + field, std::to_string(value), "must be finite and not negative"});
-    }
-  };
-  gain(".proportional", proportional);
-  gain(".integral", integral);
-  gain(".derivative", derivative);
-  if (!(std::isfinite(output_limit) && output_limit > 0)) {
-    errors.push_back(
-        {prefix + ".output_limit", std::to_string(output_limit), "must be finite and positive"});
-  }
-  return errors;
+  hardware::FieldChecker check(prefix + ".");
+  check.NotNegative("proportional", proportional);
+  check.NotNegative("integral", integral);
+  check.NotNegative("derivative", derivative);
+  check.Positive("output_limit", output_limit);
+  return check.Take();
 }
 
 Pid::Pid(const PidConfig& config) : config_(config) {

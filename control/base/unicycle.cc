@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::control {
 
 using hardware::BaseProperties;
@@ -13,16 +15,11 @@ using hardware::Twist2;
 using hardware::WheelSpeeds;
 
 std::vector<hardware::FieldError> Validate(const BaseProperties& base) {
-  std::vector<hardware::FieldError> errors;
-  const auto positive = [&errors](const char* field, double value) {
-    if (!(std::isfinite(value) && value > 0)) {
-      errors.push_back({field, std::to_string(value), "must be finite and positive"});
-    }
-  };
-  positive("base.metres_per_pulse", base.metres_per_pulse);
-  positive("base.effective_track_m", base.effective_track_m);
-  positive("base.max_wheel_speed_m_s", base.max_wheel_speed_m_s);
-  return errors;
+  hardware::FieldChecker check("base.");
+  check.Positive("metres_per_pulse", base.metres_per_pulse);
+  check.Positive("effective_track_m", base.effective_track_m);
+  check.Positive("max_wheel_speed_m_s", base.max_wheel_speed_m_s);
+  return check.Take();
 }
 
 WheelSpeeds FromTwist(const Twist2& twist, const BaseProperties& base) {

@@ -5,25 +5,24 @@
 #include <cmath>
 #include <string>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::control {
 
 using hardware::Pose2;
 using hardware::Time;
 
 std::vector<hardware::FieldError> WaypointControllerConfig::Validate() const {
-  std::vector<hardware::FieldError> errors = linear.Validate("controller.linear");
-  for (auto& error : angular.Validate("controller.angular")) errors.push_back(std::move(error));
-  const auto require = [&errors](bool good, const char* field, double value, const char* rule) {
-    if (!good) errors.push_back({field, std::to_string(value), rule});
-  };
-  require(turn_in_place_rad > 0 && turn_in_place_rad <= M_PI / 2, "controller.turn_in_place_rad",
-          turn_in_place_rad, "must be above 0 and at most pi/2");
-  require(std::isfinite(arrival_m) && arrival_m > 0, "controller.arrival_m", arrival_m,
-          "must be finite and positive");
-  require(min_forward_m_s >= 0 && min_forward_m_s <= linear.output_limit,
-          "controller.min_forward_m_s", min_forward_m_s,
-          "must be between 0 and linear.output_limit");
-  return errors;
+  hardware::FieldChecker check("controller.");
+  check.Part(linear.Validate("linear"));
+  check.Part(angular.Validate("angular"));
+  check.Require(turn_in_place_rad > 0 && turn_in_place_rad <= M_PI / 2, "turn_in_place_rad",
+                turn_in_place_rad, "must be above 0 and at most pi/2");
+  check.Require(std::isfinite(arrival_m) && arrival_m > 0, "arrival_m", arrival_m,
+                "must be finite and positive");
+  check.Require(min_forward_m_s >= 0 && min_forward_m_s <= linear.output_limit, "min_forward_m_s",
+                min_forward_m_s, "must be between 0 and linear.output_limit");
+  return check.Take();
 }
 
 WaypointController::WaypointController(const WaypointControllerConfig& config)

@@ -4,31 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::control {
-namespace {
-
-class Checker {
- public:
-  void Require(bool good, const std::string& field, double value, const char* rule) {
-    if (!good) errors.push_back({"navigator." + field, std::to_string(value), rule});
-  }
-  void Positive(const std::string& field, double value) {
-    Require(std::isfinite(value) && value > 0, field, value, "must be finite and positive");
-  }
-  void NotNegative(const std::string& field, double value) {
-    Require(std::isfinite(value) && value >= 0, field, value, "must be finite and not negative");
-  }
-  void Part(std::vector<hardware::FieldError> part) {
-    for (hardware::FieldError& e : part) {
-      errors.push_back({"navigator." + e.field, std::move(e.value), std::move(e.constraint)});
-    }
-  }
-
-  std::vector<hardware::FieldError> errors;
-};
-
-}  // namespace
-
 NavigatorConfig NavigatorConfig::Paper() {
   NavigatorConfig config;
   config.obstacle_test = ObstacleTest::kCentralImage;
@@ -45,7 +23,7 @@ NavigatorConfig NavigatorConfig::Paper() {
 }
 
 std::vector<hardware::FieldError> NavigatorConfig::Validate() const {
-  Checker check;
+  hardware::FieldChecker check("navigator.");
   check.Part(strips.Validate());
   check.Part(memory.Validate());
   check.Part(controller.Validate());
@@ -83,7 +61,7 @@ std::vector<hardware::FieldError> NavigatorConfig::Validate() const {
   check.Require(gaze_max_bearing_rad >= 0 && gaze_max_bearing_rad < M_PI / 2,
                 "gaze_max_bearing_rad", gaze_max_bearing_rad,
                 "must be at least 0 and less than pi/2");
-  return check.errors;
+  return check.Take();
 }
 
 }  // namespace horopter::control

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::control {
 
 using hardware::Pose2;
@@ -55,19 +57,16 @@ Eigen::Vector2d InBase(const Pose2& X_OB, double x_O, double y_O) {
 }  // namespace
 
 std::vector<hardware::FieldError> ObstacleMemoryConfig::Validate() const {
-  std::vector<hardware::FieldError> errors;
-  const auto require = [&errors](bool good, const char* field, double value, const char* rule) {
-    if (!good) errors.push_back({field, std::to_string(value), rule});
-  };
-  require(cell_m >= 0.005 && cell_m <= 0.5, "memory.cell_m", cell_m,
-          "must be between 0.005 and 0.5");
-  require(std::isfinite(keep_s) && keep_s >= 0, "memory.keep_s", keep_s,
-          "must be finite and not negative");
-  require(min_pixels >= 1, "memory.min_pixels", min_pixels, "must be at least 1");
-  require(max_range_m > 0 && max_range_m <= 10, "memory.max_range_m", max_range_m,
-          "must be above 0 and at most 10");
-  require(clear_min_m >= 0, "memory.clear_min_m", clear_min_m, "must not be negative");
-  return errors;
+  hardware::FieldChecker check("memory.");
+  check.Require(cell_m >= 0.005 && cell_m <= 0.5, "cell_m", cell_m,
+                "must be between 0.005 and 0.5");
+  check.Require(std::isfinite(keep_s) && keep_s >= 0, "keep_s", keep_s,
+                "must be finite and not negative");
+  check.Require(min_pixels >= 1, "min_pixels", min_pixels, "must be at least 1");
+  check.Require(max_range_m > 0 && max_range_m <= 10, "max_range_m", max_range_m,
+                "must be above 0 and at most 10");
+  check.Require(clear_min_m >= 0, "clear_min_m", clear_min_m, "must not be negative");
+  return check.Take();
 }
 
 ObstacleMemory::ObstacleMemory(const ObstacleMemoryConfig& config)

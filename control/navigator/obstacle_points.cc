@@ -7,6 +7,8 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::control {
 
 namespace {
@@ -46,23 +48,18 @@ bool IsSupported(const cv::Mat1f& ranges, int v, int u, const ObstacleConfig& co
 }  // namespace
 
 std::vector<hardware::FieldError> ObstacleConfig::Validate() const {
-  std::vector<hardware::FieldError> errors;
-  const auto require = [&errors](bool good, const char* field, double value, const char* rule) {
-    if (!good) errors.push_back({field, std::to_string(value), rule});
-  };
-  require(std::isfinite(floor_m), "obstacle.floor_m", floor_m, "must be finite");
-  require(pit_m < floor_m, "obstacle.pit_m", pit_m, "must be below floor_m");
-  require(robot_height_m > floor_m, "obstacle.robot_height_m", robot_height_m,
-          "must be above floor_m");
-  require(min_range_m >= 0, "obstacle.min_range_m", min_range_m, "must not be negative");
-  require(max_range_m > min_range_m, "obstacle.max_range_m", max_range_m,
-          "must be above min_range_m");
-  require(max_residual_m > 0, "obstacle.max_residual_m", max_residual_m, "must be positive");
-  require(support_px >= 0 && support_px <= 24, "obstacle.support_px", support_px,
-          "must be between 0 and 24");
-  require(support_tolerance > 0, "obstacle.support_tolerance", support_tolerance,
-          "must be positive");
-  return errors;
+  hardware::FieldChecker check("obstacle.");
+  check.Require(std::isfinite(floor_m), "floor_m", floor_m, "must be finite");
+  check.Require(pit_m < floor_m, "pit_m", pit_m, "must be below floor_m");
+  check.Require(robot_height_m > floor_m, "robot_height_m", robot_height_m,
+                "must be above floor_m");
+  check.Require(min_range_m >= 0, "min_range_m", min_range_m, "must not be negative");
+  check.Require(max_range_m > min_range_m, "max_range_m", max_range_m, "must be above min_range_m");
+  check.Require(max_residual_m > 0, "max_residual_m", max_residual_m, "must be positive");
+  check.Require(support_px >= 0 && support_px <= 24, "support_px", support_px,
+                "must be between 0 and 24");
+  check.Require(support_tolerance > 0, "support_tolerance", support_tolerance, "must be positive");
+  return check.Take();
 }
 
 SplitPoints Split(const vision::PointField& points_B, const ObstacleConfig& config) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/navigator/strips.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
-#include "vision/regions/depth_statistics.h"
+#include "hardware/types/field_checker.h"
 
 namespace horopter::control {
 namespace {
@@ -54,6 +54,14 @@ Strip StripOfColumn(int u, int width, double central_fraction) {
   return Strip::kCentre;
 }
 
+/// The value that `fraction` of the values may be less than. Reorders them. @pre not empty
+float NearestRank(std::vector<float>& values, double fraction) {
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
 void KeepNearer(std::optional<Obstacle>& nearest, const Obstacle& candidate) {
   if (!nearest || candidate.near_m < nearest->near_m) nearest = candidate;
 }
@@ -61,18 +69,15 @@ void KeepNearer(std::optional<Obstacle>& nearest, const Obstacle& candidate) {
 }  // namespace
 
 std::vector<hardware::FieldError> StripConfig::Validate() const {
-  std::vector<hardware::FieldError> errors;
-  const auto require = [&errors](bool good, const char* field, double value, const char* rule) {
-    if (!good) errors.push_back({field, std::to_string(value), rule});
-  };
-  require(central_fraction > 0 && central_fraction < 1, "strips.central_fraction", central_fraction,
-          "must be between 0 and 1, both excluded");
-  require(std::isfinite(corridor_half_width_m) && corridor_half_width_m > 0,
-          "strips.corridor_half_width_m", corridor_half_width_m, "must be finite and positive");
-  require(min_pixels >= 1, "strips.min_pixels", min_pixels, "must be at least 1");
-  require(near_fraction >= 0 && near_fraction < 1, "strips.near_fraction", near_fraction,
-          "must be at least 0 and less than 1");
-  return errors;
+  hardware::FieldChecker check("strips.");
+  check.Require(central_fraction > 0 && central_fraction < 1, "central_fraction", central_fraction,
+                "must be between 0 and 1, both excluded");
+  check.Require(std::isfinite(corridor_half_width_m) && corridor_half_width_m > 0,
+                "corridor_half_width_m", corridor_half_width_m, "must be finite and positive");
+  check.Require(min_pixels >= 1, "min_pixels", min_pixels, "must be at least 1");
+  check.Require(near_fraction >= 0 && near_fraction < 1, "near_fraction", near_fraction,
+                "must be at least 0 and less than 1");
+  return check.Take();
 }
 
 std::optional<Obstacle>& StripMeasurements::operator[](Strip strip) {
@@ -113,7 +118,7 @@ StripMeasurements MeasureStrips(const SceneView& view, ObstacleTest test, double
     for (const Strip strip : kStrips) {
       PixelsInArea& area = areas[label][static_cast<int>(strip)];
       if (area.standing < config.min_pixels) continue;
-      const double near = vision::Summarise(area.distances, config.near_fraction).near_m;
+      const double near = NearestRank(area.distances, config.near_fraction);
       if (std::isinf(near)) continue;
       KeepNearer(measured[strip], {static_cast<int>(label), area.standing, near});
     }

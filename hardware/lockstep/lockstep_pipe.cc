@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::hardware {
 namespace {
 
@@ -150,14 +152,11 @@ class PipeEnd final : public ByteStream {
 }  // namespace
 
 std::vector<FieldError> SerialLine::Validate() const {
-  std::vector<FieldError> errors;
-  const auto require = [&errors](bool good, const char* field, int value, const char* rule) {
-    if (!good) errors.push_back({field, std::to_string(value), rule});
-  };
-  require(baud >= 1, "line.baud", baud, "must be at least 1");
-  require(data_bits >= 5 && data_bits <= 9, "line.data_bits", data_bits, "must be 5 to 9");
-  require(stop_bits == 1 || stop_bits == 2, "line.stop_bits", stop_bits, "must be 1 or 2");
-  return errors;
+  FieldChecker check("line.");
+  check.Require(baud >= 1, "baud", baud, "must be at least 1");
+  check.Require(data_bits >= 5 && data_bits <= 9, "data_bits", data_bits, "must be 5 to 9");
+  check.Require(stop_bits == 1 || stop_bits == 2, "stop_bits", stop_bits, "must be 1 or 2");
+  return check.Take();
 }
 
 LockstepPipe::LockstepPipe(LockstepClock& clock, const SerialLine& line) {

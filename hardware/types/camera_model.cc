@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::hardware {
 namespace {
 
@@ -20,22 +22,19 @@ std::string ToText(double value) {
 }
 
 std::vector<FieldError> Validate(const Intrinsics& in, const Distortion& d) {
-  std::vector<FieldError> errors;
-  const auto require = [&errors](bool good, const char* field, double value, const char* rule) {
-    if (!good) errors.push_back({field, ToText(value), rule});
-  };
-  require(in.width >= 1, "camera.width", in.width, "must be at least 1");
-  require(in.height >= 1, "camera.height", in.height, "must be at least 1");
-  require(std::isfinite(in.fx) && in.fx > 0, "camera.fx", in.fx, "must be finite and positive");
-  require(std::isfinite(in.fy) && in.fy > 0, "camera.fy", in.fy, "must be finite and positive");
-  require(std::isfinite(in.cx), "camera.cx", in.cx, "must be finite");
-  require(std::isfinite(in.cy), "camera.cy", in.cy, "must be finite");
-  require(std::isfinite(d.k1), "camera.k1", d.k1, "must be finite");
-  require(std::isfinite(d.k2), "camera.k2", d.k2, "must be finite");
-  require(std::isfinite(d.p1), "camera.p1", d.p1, "must be finite");
-  require(std::isfinite(d.p2), "camera.p2", d.p2, "must be finite");
-  require(std::isfinite(d.k3), "camera.k3", d.k3, "must be finite");
-  return errors;
+  FieldChecker check("camera.");
+  check.Require(in.width >= 1, "width", in.width, "must be at least 1");
+  check.Require(in.height >= 1, "height", in.height, "must be at least 1");
+  check.Require(std::isfinite(in.fx) && in.fx > 0, "fx", in.fx, "must be finite and positive");
+  check.Require(std::isfinite(in.fy) && in.fy > 0, "fy", in.fy, "must be finite and positive");
+  check.Require(std::isfinite(in.cx), "cx", in.cx, "must be finite");
+  check.Require(std::isfinite(in.cy), "cy", in.cy, "must be finite");
+  check.Require(std::isfinite(d.k1), "k1", d.k1, "must be finite");
+  check.Require(std::isfinite(d.k2), "k2", d.k2, "must be finite");
+  check.Require(std::isfinite(d.p1), "p1", d.p1, "must be finite");
+  check.Require(std::isfinite(d.p2), "p2", d.p2, "must be finite");
+  check.Require(std::isfinite(d.k3), "k3", d.k3, "must be finite");
+  return check.Take();
 }
 
 /// Radial factor of the distortion at undistorted r^2.

@@ -9,23 +9,20 @@
 #include <string>
 
 #include "hardware/types/config_error.h"
+#include "hardware/types/field_checker.h"
 
 namespace horopter::sim {
 
 namespace {
 
 std::vector<hardware::FieldError> Validate(const KoalaPlantConfig& config) {
-  std::vector<hardware::FieldError> errors;
-  const auto require = [&errors](const char* field, double value) {
-    if (std::isfinite(value) && value > 0) return;
-    errors.push_back({field, fmt::format("{}", value), "must be finite and positive"});
-  };
-  require("koala.metres_per_pulse", config.metres_per_pulse);
-  require("koala.pulses_per_turn", config.pulses_per_turn);
-  require("koala.max_wheel_speed_m_s", config.max_wheel_speed_m_s);
-  require("koala.max_wheel_acceleration_m_s2", config.max_wheel_acceleration_m_s2);
-  require("koala.deadman_s", hardware::ToSeconds(config.deadman));
-  return errors;
+  hardware::FieldChecker check("koala.");
+  check.Positive("metres_per_pulse", config.metres_per_pulse);
+  check.Positive("pulses_per_turn", config.pulses_per_turn);
+  check.Positive("max_wheel_speed_m_s", config.max_wheel_speed_m_s);
+  check.Positive("max_wheel_acceleration_m_s2", config.max_wheel_acceleration_m_s2);
+  check.Positive("deadman_s", hardware::ToSeconds(config.deadman));
+  return check.Take();
 }
 
 double Ramp(double from, double to, double most) {

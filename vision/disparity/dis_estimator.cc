@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "hardware/types/field_checker.h"
 #include "vision/disparity/image_pair.h"
 #include "vision/disparity/left_right_check.h"
 
@@ -31,22 +32,13 @@ cv::Mat1b Continuous(const cv::Mat1b& grey) { return grey.isContinuous() ? grey 
 }  // namespace
 
 std::vector<hardware::FieldError> DisConfig::Validate() const {
-  std::vector<hardware::FieldError> errors;
-  if (preset < 0 || preset > 2) {
-    errors.push_back({"dis.preset", std::to_string(preset), "must be 0, 1 or 2"});
-  }
-  if (!(std::isfinite(left_right_px) && left_right_px >= 0)) {
-    errors.push_back({"dis.left_right_px", std::to_string(left_right_px), "must not be negative"});
-  }
-  if (!(std::isfinite(min_contrast_grey) && min_contrast_grey >= 0)) {
-    errors.push_back(
-        {"dis.min_contrast_grey", std::to_string(min_contrast_grey), "must not be negative"});
-  }
-  if (contrast_window_px < 3 || contrast_window_px % 2 == 0) {
-    errors.push_back({"dis.contrast_window_px", std::to_string(contrast_window_px),
-                      "must be odd and at least 3"});
-  }
-  return errors;
+  hardware::FieldChecker check("dis.");
+  check.Require(preset >= 0 && preset <= 2, "preset", preset, "must be 0, 1 or 2");
+  check.NotNegative("left_right_px", left_right_px);
+  check.NotNegative("min_contrast_grey", min_contrast_grey);
+  check.Require(contrast_window_px >= 3 && contrast_window_px % 2 == 1, "contrast_window_px",
+                contrast_window_px, "must be odd and at least 3");
+  return check.Take();
 }
 
 DisConfig DisConfig::Preset(std::string_view name) {

@@ -2,28 +2,13 @@
 #include "vision/disparity/v1_config.h"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::vision {
 namespace {
-
-/// Collects what does not hold.
-class Checker {
- public:
-  template <typename T>
-  void Require(bool holds, const char* field, T value, const char* constraint) {
-    if (holds) return;
-    std::ostringstream text;
-    text << std::boolalpha << value;
-    errors_.push_back({std::string("v1.") + field, text.str(), constraint});
-  }
-  std::vector<hardware::FieldError> Take() { return std::move(errors_); }
-
- private:
-  std::vector<hardware::FieldError> errors_;
-};
 
 bool Positive(double v) { return std::isfinite(v) && v > 0; }
 bool NotNegative(double v) { return std::isfinite(v) && v >= 0; }
@@ -31,7 +16,7 @@ bool NotNegative(double v) { return std::isfinite(v) && v >= 0; }
 }  // namespace
 
 std::vector<hardware::FieldError> V1Config::Validate() const {
-  Checker c;
+  hardware::FieldChecker c("v1.");
   c.Require(filter_px % 2 == 1 && filter_px >= 3 && filter_px <= 63, "filter_px", filter_px,
             "must be odd, 3 to 63");
   c.Require(Positive(peak_frequency) && peak_frequency < 0.5, "peak_frequency", peak_frequency,
@@ -88,7 +73,7 @@ V1Config V1Config::Preset(std::string_view name) {
     config.pooling_sigma_px = 0;
     config.iterations = 1;
     config.median_px = 0;
-    config.max_kept_octaves = config.scales;
+    config.max_kept_octaves = 12;  // all, however many scales
     config.min_correlation = -1;
     config.left_right_px = 0;
     config.min_segment_px = 0;

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::vision {
 namespace {
 
@@ -94,15 +96,11 @@ void MeasureDepth(const cv::Mat1f& depth, double near_fraction, RegionMap& map) 
 }  // namespace
 
 std::vector<hardware::FieldError> RegionConfig::Validate() const {
-  std::vector<hardware::FieldError> errors;
-  if (min_area_px < 1) {
-    errors.push_back({"regions.min_area_px", std::to_string(min_area_px), "must be at least 1"});
-  }
-  if (!(near_fraction >= 0 && near_fraction < 1)) {
-    errors.push_back({"regions.near_fraction", std::to_string(near_fraction),
-                      "must be at least 0 and less than 1"});
-  }
-  return errors;
+  hardware::FieldChecker check("regions.");
+  check.Require(min_area_px >= 1, "min_area_px", min_area_px, "must be at least 1");
+  check.Require(near_fraction >= 0 && near_fraction < 1, "near_fraction", near_fraction,
+                "must be at least 0 and less than 1");
+  return check.Take();
 }
 
 RegionMap ExtractRegions(const cv::Mat1b& interior, const cv::Mat& bgr, const cv::Mat1f& depth,

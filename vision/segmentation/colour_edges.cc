@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "hardware/types/field_checker.h"
+
 namespace horopter::vision {
 namespace {
 
@@ -56,15 +58,11 @@ cv::Mat1b Threshold(const cv::Mat& bgr, int threshold, const Norm& norm) {
 }  // namespace
 
 std::vector<hardware::FieldError> ColourEdgesConfig::Validate() const {
-  std::vector<hardware::FieldError> errors;
-  if (median_px < 1 || median_px % 2 == 0 || median_px > 255) {
-    errors.push_back(
-        {"colour_edges.median_px", std::to_string(median_px), "must be odd and between 1 and 255"});
-  }
-  if (threshold < 0) {
-    errors.push_back({"colour_edges.threshold", std::to_string(threshold), "must not be negative"});
-  }
-  return errors;
+  hardware::FieldChecker check("colour_edges.");
+  check.Require(median_px >= 1 && median_px % 2 == 1 && median_px <= 255, "median_px", median_px,
+                "must be odd and between 1 and 255");
+  check.Require(threshold >= 0, "threshold", threshold, "must not be negative");
+  return check.Take();
 }
 
 cv::Mat1b FindColourEdges(const cv::Mat& bgr, const ColourEdgesConfig& config) {
