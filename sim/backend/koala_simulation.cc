@@ -57,17 +57,18 @@ KoalaSimulation::KoalaSimulation(const KoalaSimulationConfig& config, hardware::
   plant_ = std::make_unique<KoalaPlant>(*world_, config.plant);
   Settle();
   for (const auto& [body, X_OBody] : config.X_OBody) world_->PlaceBody(body, X_WO_ * X_OBody);
+  const SimCamerasConfig cameras{
+      .model = {config.camera, config.camera}, .profile = config.profile, .seed = config.seed};
+  const cv::Size render_size = cameras.RenderSize();
   RendererOptions options;
   options.gl_backend = config.gl_backend;
-  options.width = config.camera.width();
-  options.height = config.camera.height();
+  options.width = render_size.width;
+  options.height = render_size.height;
   renderer_ = std::make_unique<Renderer>(*world_, options);
 
   clock_device_ = std::make_unique<SimClock>(
       *world_, [this] { Step(); }, times);
   head_device_ = std::make_unique<SimHead>(*head_, *clock_device_);
-  SimCamerasConfig cameras{
-      .model = {config.camera, config.camera}, .profile = config.profile, .seed = config.seed};
   camera_device_ =
       std::make_unique<SimCameras>(*world_, *renderer_, *clock_device_, cameras, times);
   base_device_ = std::make_unique<SimBase>(*this);

@@ -1,9 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/backend/sim_cameras.h"
 
-namespace horopter::sim {
+#include <algorithm>
+#include <cmath>
 
+namespace horopter::sim {
+namespace {
+
+using hardware::Duration;
 using hardware::Eye;
+using hardware::FromSeconds;
+using hardware::PerEye;
+using hardware::StereoFrame;
+using hardware::Time;
+
+/// Rounded up to whole steps.
+Duration WholeSteps(Duration d, Duration step) { return (d + step - Duration(1)) / step * step; }
+
+/// How far back the captures of a frame of now lie: the later eye's image has just been delivered.
+PerEye<Duration> Lags(const TimingProfile& timing, Duration half_window, Duration step) {
+  const Duration newest = WholeSteps(half_window + FromSeconds(timing.latency_s), step);
+  const Duration skew = WholeSteps(FromSeconds(std::abs(timing.skew_s)), step);
+  return timing.skew_s > 0 ? PerEye<Duration>{newest + skew, newest}
+                           : PerEye<Duration>{newest, newest + skew};
+}
+
+StereoFrame Copy(const StereoFrame& frame) {
+  StereoFrame copy = frame;
+  copy.left.bgr = frame.left.bgr.clone();
+  copy.right.bgr = frame.right.bgr.clone();
+  return copy;
+}
+
+}  // namespace
+
+cv::Size SimCamerasConfig::RenderSize() const {
+  cv::Size size;
+  for (const Eye eye : hardware::kBothEyes) {
+    const cv::Size one = EyeCamera(model[eye], profile, seed, mjcf_camera[eye]).largest_view();
+    size = {std::max(size.width, one.width), std::max(size.height, one.height)};
+  }
+  return size;
+}
 
 SimCameras::SimCameras(World& world, Renderer& renderer, SimClock& clock,
                        const SimCamerasConfig& config, hardware::StageTimes& times)
@@ -12,28 +50,111 @@ SimCameras::SimCameras(World& world, Renderer& renderer, SimClock& clock,
       renderer_(renderer),
       clock_(clock),
       times_(times),
-      sensor_{
-          SensorModel(config.profile, config.model.left, config.seed, config.mjcf_camera.left),
-          SensorModel(config.profile, config.model.right, config.seed, config.mjcf_camera.right)} {
-  for (const Eye eye : hardware::kBothEyes) world.Id(mjOBJ_CAMERA, config.mjcf_camera[eye]);
+      history_(world, config.mjcf_camera) {
+  for (const Eye eye : hardware::kBothEyes) {
+    eye_[eye].emplace(config.model[eye], config.profile, config.seed, config.mjcf_camera[eye]);
+  }
+  const Duration window = FromSeconds(eye_.left->exposure().window_s());
+  half_window_ = window / 2;
+  const TimingProfile& timing = config.profile.timing;
+  lag_ = Lags(timing, half_window_, clock.step());
+  if (timing.rate_hz > 0) {
+    timing_.emplace(timing, window, clock.step(), config.seed, config.mjcf_camera.left);
+  }
+  const bool shows_the_past = timing_ || std::max(lag_.left, lag_.right).count() > 0;
+  if (!shows_the_past) return;
+  history_.Record(clock_.Now(), true);
+  clock_.AfterStep([this] { Remember(); });
 }
 
-hardware::Result<hardware::StereoFrame> SimCameras::Grab() {
+void SimCameras::Remember() {
+  const Time now = clock_.Now();
+  if (!timing_) {
+    history_.Record(now, true);
+    history_.ForgetBefore(now - std::max(lag_.left, lag_.right) - half_window_);
+    return;
+  }
+  const bool captured = CapturedNow(now);
+  history_.Record(now, captured);
+  if (!captured) return;
+  const FrameTimes oldest = timing_->At(timing_->ShownBy(timing_->NewestDelivered(now)));
+  history_.ForgetBefore(std::min(oldest.t_capture.left, oldest.t_capture.right) - half_window_);
+}
+
+bool SimCameras::CapturedNow(Time now) {
+  bool captured = false;
+  for (std::uint64_t frame = next_captured_;; ++frame) {
+    const FrameTimes times = timing_->At(frame);
+    const auto [first, last] = std::minmax(times.t_capture.left, times.t_capture.right);
+    if (first > now) return captured;
+    const bool is_seen = !times.dropped && !times.repeated;
+    captured = captured || (is_seen && (first == now || last == now));
+    if (last <= now && frame == next_captured_) ++next_captured_;
+  }
+}
+
+SimCameras::Plan SimCameras::PlanFrame() {
+  const Time now = clock_.Now();
+  Plan plan;
+  if (!timing_) {
+    plan.sequence = plan.noise = sequence_++;
+    plan.t_capture = {now - lag_.left, now - lag_.right};
+    plan.t_delivered = now;
+    return plan;
+  }
+  plan.sequence = timing_->NewestDelivered(now);
+  plan.noise = timing_->ShownBy(plan.sequence);
+  plan.t_capture = timing_->At(plan.noise).t_capture;
+  plan.t_delivered = timing_->At(plan.sequence).t_delivered;
+  return plan;
+}
+
+hardware::Result<StereoFrame> SimCameras::Grab() {
   if (const auto allowed = Require("Grab", false); !allowed.ok()) return allowed.error();
-  hardware::StereoFrame frame;
-  frame.sequence = sequence_++;
-  frame.t_delivered = clock_.Now();
-  frame.left = See(Eye::kLeft, frame);
-  frame.right = See(Eye::kRight, frame);
+  const Plan plan = PlanFrame();
+  StereoFrame frame;
+  if (timing_ && last_ && last_noise_ == plan.noise) {
+    frame = Copy(*last_);
+  } else {
+    frame.left = See(Eye::kLeft, plan);
+    frame.right = See(Eye::kRight, plan);
+  }
+  frame.sequence = plan.sequence;
+  frame.t_delivered = plan.t_delivered;
+  if (timing_) last_ = Copy(frame);
+  last_noise_ = plan.noise;
   return frame;
 }
 
-hardware::EyeImage SimCameras::See(Eye eye, const hardware::StereoFrame& frame) {
-  const hardware::Pose X_WC = world_.X_WCamera(config_.mjcf_camera[eye]);
-  cv::Mat bgr = renderer_.Render(X_WC, config_.model[eye], {}, &times_).bgr;
-  const SensorModel& sensor = eye == Eye::kLeft ? sensor_[0] : sensor_[1];
-  times_.Measure("sensor", [&] { sensor.Apply(frame.sequence, bgr); });
-  return {bgr, frame.t_delivered};
+hardware::EyeImage SimCameras::See(Eye eye, const Plan& plan) {
+  const Time t = plan.t_capture[eye];
+  EyeCamera& camera = *eye_[eye];
+  EyeMotion motion;
+  cv::Mat3b view;
+  WorldPoses& poses = at_capture_[eye] ? *at_capture_[eye] : at_capture_[eye].emplace();
+  const auto render = [&] {
+    const hardware::Pose X_WC = world_.X_WCamera(config_.mjcf_camera[eye]);
+    view = renderer_.Render(X_WC, camera.View(motion), {}, &times_).bgr;
+  };
+  if (t == clock_.Now()) {
+    poses.Save(world_);
+    render();
+  } else {
+    motion = history_.Motion(eye, t, half_window_);
+    poses = history_.WorldOf(t);
+    const WorldAt past(world_, poses);
+    render();
+  }
+  return {times_.Measure("sensor", [&] { return camera.Develop(view, motion, plan.noise); }), t};
+}
+
+void SimCameras::AtCapture(Eye eye, const std::function<void()>& look) {
+  if (!at_capture_[eye]) {
+    look();
+    return;
+  }
+  const WorldAt past(world_, *at_capture_[eye]);
+  look();
 }
 
 }  // namespace horopter::sim

@@ -19,7 +19,7 @@ class SimClock final : public hardware::Clock {
   /// @param world outlives the clock, as does `times`
   /// @param step advances the whole robot by one physics step: its actuators' set points, then
   ///        World::Step()
-  /// @param times books "physics"
+  /// @param times books "physics" and, apart from it, what observers take as "truth"
   SimClock(const World& world, std::function<void()> step, hardware::StageTimes& times);
 
   hardware::Time Now() const override { return world_.now() - zero_; }
@@ -30,6 +30,9 @@ class SimClock final : public hardware::Clock {
     observers_.push_back(std::move(observer));
   }
 
+  /// Runs as part of every physics step, before any observer: for what belongs to the robot.
+  void AfterStep(std::function<void()> part) { parts_.push_back(std::move(part)); }
+
   hardware::Duration step() const { return world_.step(); }
 
  private:
@@ -37,6 +40,7 @@ class SimClock final : public hardware::Clock {
   std::function<void()> step_;
   hardware::StageTimes& times_;
   hardware::Duration zero_;  ///< world time at time zero
+  std::vector<std::function<void()>> parts_;
   std::vector<std::function<void(const World&)>> observers_;
 };
 

@@ -242,6 +242,16 @@ TEST(KoalaSimulation, ObserversSeeEveryPhysicsStepOnceAndInOrder) {
   EXPECT_EQ(there, seen.back());
 }
 
+TEST(KoalaSimulation, BooksObserversAsTruthAndNotAsPhysics) {
+  Koala koala(KoalaInYard());
+  koala.Pass(0.02);
+  EXPECT_EQ(koala.times.samples().count("truth"), 0u);
+  koala.sim.OnStep([](const World&) {});
+  koala.Pass(0.02);
+  EXPECT_EQ(koala.times.samples().at("truth").size(), 1u);
+  EXPECT_EQ(koala.times.samples().at("physics").size(), 2u);
+}
+
 TEST(KoalaSimulation, BooksTheTimeOfEachStage) {
   Koala koala(KoalaInYard());
   koala.Pass(0.01);
