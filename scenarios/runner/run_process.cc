@@ -86,6 +86,11 @@ void InstallStopHandler() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
+void StopWithParent(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent) _exit(static_cast<int>(ExitCode::kInfrastructure));
+}
+
 RunProcess::RunProcess(const Scenario& scenario, const std::filesystem::path& folder,
                        std::optional<WallClock::time_point> deadline)
     : identity_(IdentityOf(scenario)), folder_(folder) {
@@ -93,6 +98,7 @@ RunProcess::RunProcess(const Scenario& scenario, const std::filesystem::path& fo
   if (pipe2(ends, O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "cannot make a pipe to a run");
   }
+  const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ < 0) {
     const int reason = errno;
@@ -101,7 +107,7 @@ RunProcess::RunProcess(const Scenario& scenario, const std::filesystem::path& fo
     throw std::system_error(reason, std::generic_category(), "cannot start a process for a run");
   }
   if (pid_ == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    StopWithParent(parent);
     signal(SIGPIPE, SIG_IGN);
     close(ends[0]);
     InstallStopHandler();

@@ -64,6 +64,11 @@ class RunProcess {
   double sim_s_ = 0;
 };
 
+/// From now on this process gets SIGTERM when its parent is gone. Ends it at once when `parent` is
+/// gone already: a parent that dies between fork() and this call would leave an orphan otherwise.
+/// @param parent the process that forked this one
+void StopWithParent(pid_t parent);
+
 /// Set by SIGINT and SIGTERM once InstallStopHandler() was called.
 bool StopRequested();
 void InstallStopHandler();
