@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,6 +65,15 @@ std::string KindOf(std::string_view name) {
   return "furniture";
 }
 
+/// The oracle refuses shapes that it does not know, and those come with the scene.
+sim::CollisionOracle OracleOf(const sim::World& world) {
+  try {
+    return sim::CollisionOracle(world.model());
+  } catch (const std::invalid_argument& error) {
+    throw sim::SceneError(world.path().string() + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 double WorseEye(double left, double right) {
@@ -71,7 +81,7 @@ double WorseEye(double left, double right) {
 }
 
 KoalaTruth::KoalaTruth(sim::KoalaSimulation& simulation, hardware::StageTimes& times)
-    : simulation_(simulation), times_(times), oracle_(simulation.world().model()) {
+    : simulation_(simulation), times_(times), oracle_(OracleOf(simulation.world())) {
   const mjModel& model = simulation.world().model();
   robot_body_ = simulation.world().Id(mjOBJ_BODY, "base");
   for (int geom = 0; geom < model.ngeom; ++geom) {

@@ -49,6 +49,9 @@ void Play(const Scenario& scenario, const RunHooks& hooks, RunWriter& writer, Ru
     summary.image_hash = session.image_hash();
     summary.decision_hash = session.decision_hash();
     summary.timing_ms = Summarise(times);
+    if (const auto cycle = summary.timing_ms.find(kCycleStage); cycle != summary.timing_ms.end()) {
+      cycle->second.modelled_ms = 1000 * scenario.vision.latency_s;
+    }
     summary.metrics = session.book().Metrics();
   };
   Session::Ending ending;

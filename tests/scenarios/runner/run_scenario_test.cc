@@ -166,6 +166,10 @@ TEST_F(RunScenarioTest, StagesAreTimed) {
     ASSERT_EQ(run.timing_ms.count(stage), 1u) << stage;
     EXPECT_GT(run.timing_ms.at(stage).n, 0) << stage;
   }
+  const StageTiming& cycle = run.timing_ms.at("vision, a cycle");
+  EXPECT_EQ(cycle.modelled_ms, 200);
+  EXPECT_EQ(cycle.n, run.timing_ms.at("disparity").n);
+  EXPECT_GE(cycle.p95_ms, run.timing_ms.at("disparity").median_ms);
 }
 
 TEST_F(RunScenarioTest, ImpossibleTargetFailsTheRunAndSaysWhy) {
@@ -255,6 +259,16 @@ TEST_F(RunScenarioTest, MissingSceneIsBadInput) {
   EXPECT_EQ(run.summary.outcome, Outcome::kError);
   EXPECT_EQ(run.exit_code, ExitCode::kBadInput);
   EXPECT_THAT(run.summary.error, testing::HasSubstr("no_such_room.xml"));
+}
+
+TEST_F(RunScenarioTest, SceneWithAShapeThatTheOracleLacksIsBadInput) {
+  Scenario scenario = Short();
+  scenario.scene = HOROPTER_SOURCE_DIR "/tests/scenarios/runner/data/hills.xml";
+  scenario.variation = {0, 0, false};
+  const FinishedRun run = RunScenario(scenario, Folder("run"), {});
+  EXPECT_EQ(run.exit_code, ExitCode::kBadInput);
+  EXPECT_THAT(run.summary.error, testing::HasSubstr("hills.xml"));
+  EXPECT_THAT(run.summary.error, testing::HasSubstr("height field"));
 }
 
 TEST_F(RunScenarioTest, FolderThatCannotBeWrittenThrows) {
