@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kTerminalPeriod(200);
 constexpr std::chrono::seconds kLogPeriod(15);
+
+/// Of a run that is over its expected time, by how much it will exceed what it has taken so far.
+constexpr double kOverdue = 1.1;
 
 }  // namespace
 
@@ -37,12 +41,13 @@ void Progress::State::AddEnded(const RunSummary& run) {
   total_sim_s += run.sim_s.value_or(0);
 }
 
-void Progress::State::AddWaiting(double time_limit_s) {
+void Progress::State::AddWaiting(double expected_s) {
   ++runs;
-  total_sim_s += time_limit_s;
+  total_sim_s += expected_s;
 }
 
-void Progress::State::AddUnderWay(double sim_s, std::string what) {
+void Progress::State::AddUnderWay(double sim_s, double expected_s, std::string what) {
+  AddWaiting(std::max(expected_s, kOverdue * sim_s));
   done_sim_s += sim_s;
   doing.push_back(std::move(what));
 }

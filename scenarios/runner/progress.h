@@ -18,7 +18,7 @@ std::string TimeLeft(double elapsed_s, double done_sim_s, double total_sim_s);
 class Progress {
  public:
   /// Where the suite is, run by run. Simulated time stands for work: a run that has ended counts
-  /// with what it took, one that has not with its time limit.
+  /// with what it took, one that has not with what it is expected to take.
   struct State {
     double done_sim_s = 0;
     double total_sim_s = 0;
@@ -28,8 +28,9 @@ class Progress {
 
     void AddKept();  ///< of an earlier suite (--resume): no work of this one
     void AddEnded(const RunSummary& run);
-    void AddWaiting(double time_limit_s);
-    void AddUnderWay(double sim_s, std::string what);  ///< a waiting one that has begun
+    void AddWaiting(double expected_s);
+    /// One that takes longer than expected will take some more.
+    void AddUnderWay(double sim_s, double expected_s, std::string what);
   };
 
   Progress(std::ostream& out, bool terminal);

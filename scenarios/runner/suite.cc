@@ -21,7 +21,10 @@
 #include "scenarios/format/scenes.h"
 #include "scenarios/results/results_error.h"
 #include "scenarios/results/suite.h"
+#include "scenarios/results/timing_notice.h"
+#include "scenarios/runner/expected_time.h"
 #include "scenarios/runner/progress.h"
+#include "scenarios/runner/results_folder.h"
 #include "scenarios/runner/run_process.h"
 #include "scenarios/runner/table.h"
 
@@ -34,7 +37,7 @@ using WallClock = RunProcess::WallClock;
 /// One (scenario, seed) of the suite.
 struct Job {
   Scenario scenario;
-  fs::path folder;
+  fs::path folder;  ///< below the suite's
   std::optional<FinishedRun> finished;
   bool kept = false;  ///< finished by an earlier suite
 };
@@ -51,7 +54,7 @@ std::string FolderStem(const Scenario& scenario) {
   return file.parent_path().filename().string() + "-" + file.stem().string();
 }
 
-std::vector<Job> MakeJobs(const SuiteOptions& options, const fs::path& out) {
+std::vector<Job> MakeJobs(const SuiteOptions& options) {
   std::vector<Diagnostic> diagnostics;
   std::vector<Job> jobs;
   std::map<std::string, fs::path> files;  // by the stem of their results folders
@@ -64,9 +67,9 @@ std::vector<Job> MakeJobs(const SuiteOptions& options, const fs::path& out) {
       if (!fresh) {
         Diagnostic& clash = diagnostics.emplace_back();
         clash.mark.file = file.string();
-        clash.message =
-            fmt::format("its results would go where those of {} go, {}: rename one of the files",
-                        other->second.string(), (out / (stem + "-seed*")).string());
+        clash.message = fmt::format(
+            "its results would go where those of {} go, {}-seed*: rename one of the files",
+            other->second.string(), stem);
         continue;
       }
       if (options.backend) scenario.backend = *options.backend;
@@ -74,7 +77,7 @@ std::vector<Job> MakeJobs(const SuiteOptions& options, const fs::path& out) {
       if (seeds.empty()) seeds.push_back(scenario.seed);
       for (const std::uint64_t seed : seeds) {
         scenario.seed = seed;
-        jobs.push_back({scenario, out / fmt::format("{}-seed{}", stem, seed), {}});
+        jobs.push_back({scenario, fmt::format("{}-seed{}", stem, seed), {}});
       }
     } catch (const ScenarioError& error) {
       diagnostics.insert(diagnostics.end(), error.diagnostics().begin(), error.diagnostics().end());
@@ -117,7 +120,11 @@ class Pool {
  public:
   Pool(std::vector<Job>& jobs, int at_once, std::optional<WallClock::time_point> deadline,
        const fs::path& out, Progress& progress)
-      : jobs_(jobs), at_once_(at_once), deadline_(deadline), out_(out), progress_(progress) {}
+      : jobs_(jobs), at_once_(at_once), deadline_(deadline), out_(out), progress_(progress) {
+    for (const Job& job : jobs_) {
+      if (job.finished) times_.Learn(job.finished->summary);
+    }
+  }
 
   void Run() {
     while (true) {
@@ -160,9 +167,15 @@ class Pool {
       }
       r->job->finished = r->process->Finish();
       progress_.Ended(r->job->finished->summary);
+      times_.Learn(r->job->finished->summary);
       r = running_.erase(r);
       WriteSuite(out_, Summaries(jobs_));
     }
+  }
+
+  bool IsUnderWay(const Job& job) const {
+    return std::any_of(running_.begin(), running_.end(),
+                       [&job](const Running& r) { return r.job == &job; });
   }
 
   void Show() const {
@@ -172,12 +185,12 @@ class Pool {
         state.AddKept();
       } else if (job.finished) {
         state.AddEnded(job.finished->summary);
-      } else {
-        state.AddWaiting(job.scenario.time_limit_s);
+      } else if (!IsUnderWay(job)) {
+        state.AddWaiting(times_.Of(job.scenario));
       }
     }
     for (const Running& r : running_) {
-      state.AddUnderWay(r.process->sim_s(),
+      state.AddUnderWay(r.process->sim_s(), times_.Of(r.job->scenario),
                         fmt::format("{} seed {}: {} at {:.1f} s", r.job->scenario.name,
                                     r.job->scenario.seed, r.process->doing(), r.process->sim_s()));
     }
@@ -189,30 +202,27 @@ class Pool {
   std::optional<WallClock::time_point> deadline_;
   fs::path out_;
   Progress& progress_;
+  ExpectedTimes times_;
   std::list<Running> running_;
   std::size_t next_ = 0;
 };
 
-fs::path DefaultOut() {
+/// "20260131-235959"
+std::string LocalTime() {
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  return fs::path("results") / fmt::format("run-{:%Y%m%d-%H%M%S}", fmt::localtime(now));
+  return fmt::format("{:%Y%m%d-%H%M%S}", fmt::localtime(now));
 }
 
 ExitCode Play(const SuiteOptions& options, std::ostream& out, std::ostream& err) {
-  const fs::path folder = options.out.empty() ? DefaultOut() : options.out;
-  std::vector<Job> jobs = MakeJobs(options, folder);
+  std::vector<Job> jobs = MakeJobs(options);
   if (jobs.empty()) {
     err << "horopter: no scenario matches; `horopter list` shows them with their tags\n";
     return ExitCode::kBadInput;
   }
-  std::error_code reason;
-  fs::create_directories(folder, reason);
-  if (reason) {
-    throw ResultsError(
-        fmt::format("{}: cannot create the results folder ({}); name another with "
-                    "--out",
-                    folder.string(), reason.message()));
-  }
+  const ResultsFolder results =
+      options.out.empty() ? ResultsFolder::New("results", LocalTime()) : ResultsFolder(options.out);
+  const fs::path& folder = results.path();
+  for (Job& job : jobs) job.folder = folder / job.folder;
   if (options.resume) {
     for (Job& job : jobs) {
       job.finished = EarlierRun(job);
@@ -233,6 +243,7 @@ ExitCode Play(const SuiteOptions& options, std::ostream& out, std::ostream& err)
   const std::vector<RunSummary> summaries = Summaries(jobs);
   WriteSuite(folder, summaries);
   PrintTable(summaries, out);
+  for (const std::string& notice : TimingNotices(summaries)) out << "notice: " << notice << '\n';
   out << "report: " << fs::absolute(folder / "report.html").lexically_normal().string() << '\n';
   ExitCode code = ExitCode::kPassed;
   for (const Job& job : jobs) {

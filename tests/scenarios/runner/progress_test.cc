@@ -33,12 +33,18 @@ TEST(Progress, EndedRunsCountWithWhatTheyTook) {
   Progress::State state;
   state.AddEnded(Ended(30));
   state.AddEnded(RunSummary());  // died without a summary
-  state.AddWaiting(90);
-  state.AddUnderWay(15, "goto");
+  state.AddUnderWay(15, 90, "goto");
   EXPECT_EQ(state.runs, 3);
   EXPECT_EQ(state.done_runs, 2);
   EXPECT_EQ(state.done_sim_s, 45);
   EXPECT_EQ(state.total_sim_s, 120);
+}
+
+TEST(Progress, OverdueRunsAreNeverDone) {
+  Progress::State state;
+  state.AddUnderWay(40, 30, "goto");
+  EXPECT_GT(state.total_sim_s, 40);
+  EXPECT_LT(state.total_sim_s, 60);
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenarios/runner/suite.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -130,6 +133,24 @@ TEST_F(SuiteTest, ResultsFolderThatCannotBeMadeExitsWithThree) {
   EXPECT_THAT(err_.str(), HasSubstr("--out"));
 }
 
+TEST_F(SuiteTest, ResultsFolderThatAnotherSuiteUsesIsRefused) {
+  fs::create_directories(root_ / "out");
+  const int other = open((root_ / "out").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(flock(other, LOCK_EX | LOCK_NB), 0);
+  EXPECT_EQ(Run(Options(Write("a.yaml", Turning("contacts 0")))), ExitCode::kInfrastructure);
+  EXPECT_THAT(err_.str(), HasSubstr("--out"));
+  EXPECT_TRUE(fs::is_empty(root_ / "out"));
+  close(other);
+}
+
+TEST_F(SuiteTest, VisionThatIsSlowerThanModelledIsToldAndJudgesNothing) {
+  std::string text = Turning("contacts 0");
+  text.replace(text.find("rate_hz: 1"), 10, "rate_hz: 1, latency_s: 1.0e-6");
+  EXPECT_EQ(Run(Options(Write("a.yaml", text))), ExitCode::kPassed);
+  EXPECT_THAT(out_.str(), HasSubstr("notice: a seed 1: 'vision, a cycle' took"));
+  EXPECT_THAT(out_.str(), HasSubstr("latency_s"));
+}
+
 TEST_F(SuiteTest, BackendThatIsNotThereExitsWithFour) {
   SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
   options.backend = "hardware";
@@ -185,6 +206,15 @@ class RunProcessTest : public SuiteTest {
 
   FinishedRun finished_;
 };
+
+TEST(StopWithParentTest, EndsAProcessWhoseParentIsGoneAlready) {
+  const auto after_tying_to = [](pid_t parent) {
+    StopWithParent(parent);
+    _exit(0);
+  };
+  EXPECT_EXIT(after_tying_to(getppid()), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(after_tying_to(getpid()), testing::ExitedWithCode(3), "");
+}
 
 TEST_F(RunProcessTest, TerminatedRunSaysThatItIsIncomplete) {
   PlayAndSignal(SIGTERM);
