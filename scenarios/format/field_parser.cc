@@ -131,6 +131,8 @@ class MappingParser : public FieldVisitor {
     if (const YamlNode* node = Find(spec)) Read(*node, PathOf(spec.key), table, report_);
   }
 
+  void Optional(const OptionalSection& section) override { Section(section.spec, section.table); }
+
   void Map(const NamedMap& map) override {
     const YamlNode* node = Find(map.spec);
     if (node == nullptr) return;

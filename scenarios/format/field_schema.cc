@@ -62,6 +62,7 @@ class SchemaWriter : public FieldVisitor {
   void Section(const FieldSpec& spec, const FieldTable& table) override {
     Add(spec, Of(table), nullptr);
   }
+  void Optional(const OptionalSection& section) override { Section(section.spec, section.table); }
   void Map(const NamedMap& map) override {
     Json names = TextSchema(map.key_rule);
     names.erase("type");

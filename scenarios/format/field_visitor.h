@@ -67,6 +67,13 @@ struct SentenceList {
   std::function<std::string(const std::string& text, const SourceMark& mark)> add;
 };
 
+/// A mapping that may be missing, which means something else than its defaults.
+struct OptionalSection {
+  FieldSpec spec;
+  bool present = false;  ///< the value at hand has it
+  FieldTable table;      ///< makes it present, and lists its fields
+};
+
 /// A mapping whose keys are names that the author of the file chooses.
 struct NamedMap {
   FieldSpec spec;
@@ -96,6 +103,7 @@ class FieldVisitor {
   /// A list of exactly values.size() numbers.
   virtual void Numbers(const FieldSpec& spec, const Range& range, std::span<double> values) = 0;
   virtual void Section(const FieldSpec& spec, const FieldTable& table) = 0;
+  virtual void Optional(const OptionalSection& section) = 0;
   virtual void Map(const NamedMap& map) = 0;
   virtual void Alternatives(const AlternativeList& list) = 0;
   virtual void Sentences(const SentenceList& list) = 0;

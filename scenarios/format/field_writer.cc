@@ -47,6 +47,9 @@ class YamlWriter : public FieldVisitor {
     Line(spec.key, body.empty() ? "{}" : "");
     text_ += body;
   }
+  void Optional(const OptionalSection& section) override {
+    if (section.present) Section(section.spec, section.table);
+  }
   void Map(const NamedMap& map) override {
     if (map.keys.empty()) return;
     Line(map.spec.key, "");
@@ -56,6 +59,7 @@ class YamlWriter : public FieldVisitor {
     }
   }
   void Alternatives(const AlternativeList& list) override {
+    if (list.size == 0 && !list.spec.required) return;
     Line(list.spec.key, list.size == 0 ? "[]" : "");
     for (std::size_t i = 0; i < list.size; ++i) {
       for (const Alternative& a : list.at(i, {})) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "control/kinematics/look_at.h"
 #include "hardware/types/config_error.h"
 #include "scenarios/format/field_parser.h"
 #include "scenarios/format/field_schema.h"
@@ -109,6 +110,8 @@ void VisitCameras(FieldVisitor& v, CameraPairDescription& c) {
   v.Integral({"height_px", "px", "Rows of the sensor.", true}, {16, 4096}, c.height_px);
   v.Number({"horizontal_fov_deg", "deg", "Of either camera.", true}, {5, 150},
            c.horizontal_fov_deg);
+  v.Number({"above_m", "m", "Above the head's optical centres."}, kCoordinate, c.above_m);
+  v.Number({"ahead_m", "m", "Before the head's optical centres."}, kCoordinate, c.ahead_m);
 }
 
 NamedMap CameraMap(std::map<std::string, CameraPairDescription>& cameras) {
@@ -158,6 +161,11 @@ const CameraPairDescription& RobotDescription::Cameras(const std::string& pair) 
   std::string names;
   for (const auto& [key, value] : cameras) names += (names.empty() ? "" : ", ") + key;
   throw hardware::ConfigError({{"camera", pair, "must be one of " + name + "'s pairs: " + names}});
+}
+
+hardware::HeadGeometry RobotDescription::GeometryOf(const CameraPairDescription& pair) const {
+  if (pair.above_m == 0 && pair.ahead_m == 0) return head_geometry;
+  return control::ForPair(head_geometry, {pair.above_m, pair.ahead_m});
 }
 
 RobotDescription LoadRobotDescription(const std::filesystem::path& path) {

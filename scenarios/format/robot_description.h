@@ -30,6 +30,10 @@ struct CameraPairDescription {
   int width_px = 0;  ///< native size
   int height_px = 0;
   double horizontal_fov_deg = 0;
+  /// Where the pair's optical centres are, from those of the head's geometry: up along the eyes' pan
+  /// axes, ahead along the optical axes.
+  double above_m = 0;
+  double ahead_m = 0;
 
   /// Of either camera, in its native size. @throws hardware::ConfigError
   hardware::CameraModel Model() const;
@@ -54,6 +58,9 @@ struct RobotDescription {
   /// The pair of that name; with "" the only one, or the one named "eyes".
   /// @throws hardware::ConfigError listing the names there are
   const CameraPairDescription& Cameras(const std::string& pair) const;
+
+  /// The head's geometry with a pair's optical centres in it. @throws hardware::ConfigError
+  hardware::HeadGeometry GeometryOf(const CameraPairDescription& pair) const;
 };
 
 /// Reads and checks a robot.yaml, as strictly as a scenario.

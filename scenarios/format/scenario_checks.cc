@@ -164,6 +164,57 @@ std::string WhyNot(const StepAction& action, const RobotDescription& robot) {
   return "";
 }
 
+void CheckRoom(const Scenario& scenario, const SourceMark& root, ParseReport& report) {
+  if (!scenario.room) return;
+  const RoomSpec& room = *scenario.room;
+  if (room.max_obstacles < room.min_obstacles) {
+    report.Add(MarkOf(report, "room.max_obstacles", MarkOf(report, "room", root)),
+               fmt::format("room.max_obstacles = {}: must be at least room.min_obstacles = {}",
+                           room.max_obstacles, room.min_obstacles));
+  }
+  const bool goes = std::any_of(scenario.steps.begin(), scenario.steps.end(), [](const Step& step) {
+    return std::holds_alternative<GotoStep>(step.action);
+  });
+  if (!goes && !scenario.steps.empty()) {
+    report.Add(MarkOf(report, "room", root),
+               "room: its path leads to the goals of goto steps, and there is none: add one");
+  }
+}
+
+void CheckFaultTimes(const Scenario& scenario, ParseReport& report) {
+  for (const FaultSpec& fault : scenario.faults) {
+    if (fault.until_s > fault.from_s) continue;
+    report.Add(fault.mark, fmt::format("until_s = {}: must be later than from_s = {}",
+                                       fault.until_s, fault.from_s));
+  }
+}
+
+/// Axes that a fault is about, by name.
+std::vector<std::string> AxesOf(const FaultKind& kind) {
+  if (const auto* fault = std::get_if<BacklashFault>(&kind)) return {fault->axis};
+  if (const auto* fault = std::get_if<EncoderBiasFault>(&kind)) return {fault->axis};
+  if (const auto* fault = std::get_if<EncoderNoiseFault>(&kind)) return {fault->axis};
+  if (const auto* fault = std::get_if<StuckAxisFault>(&kind)) return {fault->axis};
+  std::vector<std::string> axes;
+  if (const auto* fault = std::get_if<ZeroOffFault>(&kind)) {
+    if (fault->pan_deg != 0) axes.push_back(fault->eye + "_pan");
+    if (fault->tilt_deg != 0) axes.push_back(fault->eye + "_tilt");
+  }
+  return axes;
+}
+
+void CheckFaults(const Scenario& scenario, const RobotDescription& robot, ParseReport& report) {
+  for (std::size_t i = 0; i < scenario.faults.size(); ++i) {
+    if (report.broken.count(fmt::format("faults[{}]", i)) > 0) continue;
+    for (const std::string& axis : AxesOf(scenario.faults[i].kind)) {
+      const auto& names = hardware::kHeadAxisNames;
+      const auto index = std::find(names.begin(), names.end(), axis) - names.begin();
+      if (robot.head_limits[index].exists()) continue;
+      report.Add(scenario.faults[i].mark, "robot '" + robot.name + "' has no axis '" + axis + "'");
+    }
+  }
+}
+
 void CheckSteps(const Scenario& scenario, const RobotDescription& robot, ParseReport& report) {
   // Once the robot has driven, what is behind its start may be before it.
   bool at_start = true;
@@ -235,6 +286,8 @@ std::optional<RobotDescription> CheckScenario(const Scenario& scenario, const So
   CheckName(scenario, root, report);
   CheckMedian(scenario, root, report);
   CheckDurations(scenario, report);
+  CheckRoom(scenario, root, report);
+  CheckFaultTimes(scenario, report);
   std::optional<RobotDescription> robot;
   if (!scenes_dir.empty()) {
     const bool found = CheckScene(scenario, root, scenes_dir, report);
@@ -242,6 +295,7 @@ std::optional<RobotDescription> CheckScenario(const Scenario& scenario, const So
     if (found && robot) CheckSceneContents(scenario, *robot, root, scenes_dir, report);
   }
   if (robot) CheckSteps(scenario, *robot, report);
+  if (robot) CheckFaults(scenario, *robot, report);
   // A list of which an element did not parse says nothing about what is missing in it.
   if (report.broken.empty() && !scenario.steps.empty()) CheckExpectations(scenario, report);
   return robot;

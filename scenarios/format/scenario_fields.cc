@@ -5,6 +5,7 @@
 
 #include "scenarios/format/backends.h"
 #include "scenarios/format/expectation_parser.h"
+#include "scenarios/format/fault_fields.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -20,6 +21,7 @@ constexpr Range kPositiveTime{0, kLongest_s, true};
 
 // What the navigator and its controllers can do: they stop within 5 cm, creep at 3 cm/s, and see no
 // obstacle beyond 3 m.
+constexpr Range kObstacles{0, 30};
 constexpr Range kTolerance{0.05, 10};
 constexpr Range kCruiseSpeed{0.03, 2};
 constexpr Range kObstacleLimit{0, 3, true};
@@ -36,8 +38,9 @@ const TextRule kScenePath{R"((?:[A-Za-z0-9_-][A-Za-z0-9_.-]*/)*[A-Za-z0-9_-][A-Z
 const TextRule kBodyName{"[A-Za-z_][A-Za-z0-9_.-]*", "the name of a body of the scene", 80};
 
 void Visit(FieldVisitor& v, VariationSpec& s) {
-  v.Number({"obstacles_m", "m", "How far a seed moves each obstacle, at most."}, {0, 2},
-           s.obstacles_m);
+  v.Number({"obstacles_m", "m",
+            "How far a seed moves each obstacle of the scene, at most; not those of a room."},
+           {0, 2}, s.obstacles_m);
   v.Number({"heading_deg", "deg", "How far a seed turns the robot's start, at most."}, {0, 180},
            s.heading_deg);
   v.Flag({"textures", "", "Whether a seed repaints the textures."}, s.textures);
@@ -48,6 +51,23 @@ void Visit(FieldVisitor& v, BodyPlacement& s) {
             kPlace, {s.position_m.data(), 3});
   v.Number({"yaw_deg", "deg", "Turn about the vertical, counter-clockwise."}, {-360, 360},
            s.yaw_deg);
+}
+
+void Visit(FieldVisitor& v, RoomSpec& s) {
+  v.Integral({"min_obstacles", "", "How many obstacles a seed puts into the room, at least."},
+             kObstacles, s.min_obstacles);
+  v.Integral({"max_obstacles", "", "How many it puts there at most, a barrier apart."}, kObstacles,
+             s.max_obstacles);
+  v.Choice({"path", "",
+            "Whether a path leads from the start over all goals, or screens block the way to the "
+            "first one."},
+           {"free", "blocked"}, s.path);
+  v.Number({"clearance_m", "m", "How far from everything the free path keeps the robot."},
+           {0, 2, true}, s.clearance_m);
+  v.Choice({"lighting", "", "How the room is lit: chosen by the seed, as the scene has it, or so."},
+           {"varied", "as_built", "daylight", "evening", "lamps", "overcast"}, s.lighting);
+  v.Flag({"surfaces", "", "Whether a seed changes floor, walls and fabrics."}, s.surfaces);
+  v.Flag({"furniture", "", "Whether a seed moves furniture along its walls."}, s.furniture);
 }
 
 void Visit(FieldVisitor& v, CameraSpec& s) {
@@ -179,6 +199,15 @@ FieldTable TableOf(T& value) {
   return [&value](FieldVisitor& v) { Visit(v, value); };
 }
 
+OptionalSection RoomSection(std::optional<RoomSpec>& room) {
+  return {{"room", "", "A room that the seed generates, in a scene without obstacles."},
+          room.has_value(),
+          [&room](FieldVisitor& v) {
+            if (!room) room.emplace();
+            Visit(v, *room);
+          }};
+}
+
 NamedMap BodyMap(std::map<std::string, BodyPlacement>& bodies) {
   std::vector<std::string> names;
   for (const auto& [name, placement] : bodies) names.push_back(name);
@@ -208,10 +237,12 @@ void Visit(FieldVisitor& v, Scenario& s) {
            kPositiveTime, s.time_limit_s);
   v.Section({"variation", "", "What a seed changes."}, TableOf(s.variation));
   v.Map(BodyMap(s.bodies));
+  v.Optional(RoomSection(s.room));
   v.Section({"camera", "", "Both eyes."}, TableOf(s.camera));
   v.Section({"head", "", "The head's encoders."}, TableOf(s.head));
   v.Section({"vision", "", "From images to depth and regions."}, TableOf(s.vision));
   v.Section({"navigation", "", "From regions to wheel speeds."}, TableOf(s.navigation));
+  v.Alternatives(FaultList(s.faults));
   v.Alternatives(StepList(s.steps));
   v.Sentences(ExpectationList(s.expect));
 }

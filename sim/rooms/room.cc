@@ -101,6 +101,18 @@ void RequirePlacesInside(const FloorPlan& plan, const Scatter& scatter, double r
   hardware::ThrowIfAny(std::move(errors));
 }
 
+/// Start and goals in W.
+std::vector<Vector2d> WayOf(const RoomConfig& config, const World& shell) {
+  hardware::Pose2 start = hardware::ToPose2(shell.X_WBody(kBase));
+  start.heading_rad += config.start_turn_rad;
+  const hardware::Pose X_WO = hardware::ToPose(start);
+  std::vector<Vector2d> way{X_WO.translation().head<2>()};
+  for (const Vector2d& goal : config.goals_m) {
+    way.emplace_back((X_WO * Eigen::Vector3d(goal.x(), goal.y(), 0)).head<2>());
+  }
+  return way;
+}
+
 std::vector<Obstacle> DrawObstacles(const RoomConfig& config, std::uint64_t seed) {
   RandomStream random(seed, "room.count");
   const auto count =
@@ -173,8 +185,7 @@ Room GenerateRoom(const RoomConfig& config, std::uint64_t seed) {
   const RobotEnvelope robot = EnvelopeOf(*shell, kBase);
   const FloorPlan plan = PlanOf(*shell, shell->Id(mjOBJ_BODY, kBase));
   const double margin_m = config.clearance_m + kCell_m;
-  Scatter scatter{{config.start_m}, robot.outer.radius_m + margin_m, config.free_path};
-  scatter.way.insert(scatter.way.end(), config.goals_m.begin(), config.goals_m.end());
+  const Scatter scatter{WayOf(config, *shell), robot.outer.radius_m + margin_m, config.free_path};
   RequirePlacesInside(plan, scatter, robot.outer.radius_m, margin_m);
 
   room.free_path = config.free_path;

@@ -26,9 +26,10 @@ std::vector<hardware::FieldError> RoomConfig::Validate() const {
   require(clearance_m > 0 && clearance_m <= kMostClearance_m, "room.clearance_m",
           fmt::format("{:g}", clearance_m), "must be greater than 0 and at most 2 m");
   require(!goals_m.empty(), "room.goals_m", "none", "a path needs at least one goal");
-  const bool finite = start_m.allFinite() && std::all_of(goals_m.begin(), goals_m.end(),
-                                                         [](auto& g) { return g.allFinite(); });
-  require(finite, "room.start_m, goals_m", "not finite", "must be places in the room");
+  const bool finite =
+      std::isfinite(start_turn_rad) &&
+      std::all_of(goals_m.begin(), goals_m.end(), [](auto& goal) { return goal.allFinite(); });
+  require(finite, "room.goals_m, start_turn_rad", "not finite", "must be places in the room");
   std::vector<std::string> kinds = LightingNames();
   kinds.insert(kinds.end(), {"varied", "as_built"});
   require(std::find(kinds.begin(), kinds.end(), lighting) != kinds.end(), "room.lighting", lighting,

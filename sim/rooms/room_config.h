@@ -27,9 +27,10 @@ struct RoomConfig {
   /// The free path keeps the circle round the robot this far from everything that it could hit [m].
   double clearance_m = 0.35;
 
-  /// Where the robot starts, and the places it is to reach one after the other, in W [m].
-  Eigen::Vector2d start_m = Eigen::Vector2d::Zero();
+  /// Places that the robot is to reach one after the other, in its starting frame O [m].
   std::vector<Eigen::Vector2d> goals_m;
+  /// By how much O is turned from where the scene has the robot, counter-clockwise.
+  double start_turn_rad = 0;
 
   /// "varied", "as_built" (as the scene has them), or one of LightingNames().
   std::string lighting = "varied";

@@ -109,19 +109,21 @@ Eigen::Vector2d ShiftObstacle(World& world, int body, double radius_m, std::uint
 }
 
 /// Turns the base about the vertical through its own origin.
-double TurnBase(World& world, int base, double most_rad, std::uint64_t seed) {
-  RandomStream random(seed, "variation.heading");
-  const double turn = random.Uniform(-1, 1) * most_rad;
+void TurnBase(World& world, int base, double turn) {
   const int joint = world.model().body_jntadr[base];
   mjtNum* quaternion = world.mutable_data().qpos + world.model().jnt_qposadr[joint] + 3;
   const mjtNum about_z[4] = {std::cos(turn / 2), 0, 0, std::sin(turn / 2)};
   mjtNum turned[4];
   mju_mulQuat(turned, about_z, quaternion);
   mju_copy4(quaternion, turned);
-  return turn;
 }
 
 }  // namespace
+
+double DrawHeading(const VariationConfig& config, std::uint64_t seed) {
+  RandomStream random(seed, "variation.heading");
+  return random.Uniform(-1, 1) * config.heading_rad;
+}
 
 Variation Vary(World& world, const VariationConfig& config, std::uint64_t seed) {
   Validate(config);
@@ -134,7 +136,8 @@ Variation Vary(World& world, const VariationConfig& config, std::uint64_t seed) 
         {name, ShiftObstacle(world, body, config.obstacle_shift_m, seed)});
   }
   if (base && config.heading_rad > 0) {
-    variation.heading_rad = TurnBase(world, *base, config.heading_rad, seed);
+    variation.heading_rad = DrawHeading(config, seed);
+    TurnBase(world, *base, variation.heading_rad);
   }
   PaintTextures(world.mutable_model(), config.textures ? seed : 0);
   world.Forward();

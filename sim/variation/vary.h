@@ -40,4 +40,7 @@ struct Variation {
 /// @throws SceneError when no place is found for an obstacle
 Variation Vary(World& world, const VariationConfig& config, std::uint64_t seed);
 
+/// By how much Vary() turns the start heading for this seed [rad], counter-clockwise.
+double DrawHeading(const VariationConfig& config, std::uint64_t seed);
+
 }  // namespace horopter::sim

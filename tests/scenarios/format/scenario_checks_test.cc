@@ -153,5 +153,26 @@ TEST(ShippedScenarios, AreValid) {
   EXPECT_GT(found, 0);
 }
 
+TEST_F(ScenarioChecks, FaultsAreOfAxesThatTheRobotHas) {
+  const std::string step = "wait: {duration_s: 1}";
+  const auto faults = [&](const std::string& fault) {
+    return Faults(step, "koala/room.xml", "faults:\n  - " + fault + "\n");
+  };
+  EXPECT_EQ(faults("stuck_axis: {axis: left_pan}"), "");
+  EXPECT_THAT(faults("stuck_axis: {axis: neck_pan}"),
+              HasSubstr("s.yaml:3:5: robot 'koala' has no axis 'neck_pan'"));
+  EXPECT_EQ(faults("zero_off: {eye: left, pan_deg: 2, tilt_deg: 1}"), "");
+  EXPECT_THAT(faults("swapped_pair: {from_s: 3, until_s: 3}"),
+              HasSubstr("until_s = 3: must be later than from_s = 3"));
+}
+
+TEST_F(ScenarioChecks, RoomsHaveAGoalAndNoFewerObstaclesThanTheirLeast) {
+  EXPECT_EQ(Faults("goto: {x_m: 2, y_m: 0}", "koala/room.xml", "room: {}\n"), "");
+  EXPECT_THAT(Faults("wait: {duration_s: 1}", "koala/room.xml", "room: {}\n"),
+              HasSubstr("s.yaml:2:7: room: its path leads to the goals of goto steps"));
+  EXPECT_THAT(Faults("goto: {x_m: 2, y_m: 0}", "koala/room.xml", "room: {max_obstacles: 2}\n"),
+              HasSubstr("room.max_obstacles = 2: must be at least room.min_obstacles = 4"));
+}
+
 }  // namespace
 }  // namespace horopter::scenarios

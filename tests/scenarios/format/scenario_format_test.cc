@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "scenarios/format/fault_fields.h"
 #include "tests/scenarios/format/corpus.h"
 
 namespace horopter::scenarios {
@@ -26,6 +27,7 @@ std::string Faults(const std::string& text) {
 /// Without the places in the file, which a resolved scenario does not share.
 Scenario Unplaced(Scenario scenario) {
   for (Step& step : scenario.steps) step.mark = {};
+  for (FaultSpec& fault : scenario.faults) fault.mark = {};
   for (Expectation& expectation : scenario.expect) expectation.mark = {};
   return scenario;
 }
@@ -63,7 +65,34 @@ TEST(ScenarioFormat, EveryKeyArrives) {
   EXPECT_EQ(std::get<LookAtStep>(s.steps[1].action).target_m.y(), 3);
   EXPECT_EQ(std::get<SaccadeStep>(s.steps[3].action), SaccadeStep{});
   EXPECT_EQ(std::get<GotoStep>(s.steps[4].action).goal_m, Eigen::Vector2d(3, -0.5));
-  EXPECT_EQ(s.steps[4].mark.ToString(), "everything.yaml:22:5");
+  EXPECT_EQ(s.steps[4].mark.ToString(), "everything.yaml:23:5");
+  ASSERT_TRUE(s.room.has_value());
+  EXPECT_EQ(*s.room, (RoomSpec{2, 5, "blocked", 0.3, "lamps", false, false}));
+  ASSERT_EQ(s.faults.size(), 11u);
+  EXPECT_EQ(std::get<StuckAxisFault>(s.faults[3].kind).axis, "right_pan");
+  EXPECT_EQ(s.faults[3].from_s, 3);
+  EXPECT_EQ(s.faults[3].until_s, 8.5);
+  EXPECT_EQ(std::get<ZeroOffFault>(s.faults[4].kind), (ZeroOffFault{"left", 2, -1}));
+  EXPECT_EQ(s.faults[10].until_s, FaultSpec::kForEver_s);
+}
+
+TEST(ScenarioFormat, WithoutRoomAndFaultsThereAreNone) {
+  const Scenario plain = ParseScenarioText(kMinimal, "s.yaml");
+  EXPECT_FALSE(plain.room.has_value());
+  EXPECT_TRUE(plain.faults.empty());
+  const std::string resolved = ResolvedYaml(plain);
+  EXPECT_EQ(resolved.find("room:"), std::string::npos);
+  EXPECT_EQ(resolved.find("faults:"), std::string::npos);
+  const Scenario with_room = ParseScenarioText(
+      "scene: a.xml\nroom: {}\nsteps:\n  - goto: {x_m: 1, y_m: 0}\nexpect: []\n", "s.yaml");
+  EXPECT_EQ(with_room.room.value(), RoomSpec{});
+  EXPECT_NE(ResolvedYaml(with_room).find("clearance_m: 0.35"), std::string::npos);
+}
+
+TEST(ScenarioFormat, AFaultIsDescribedInOneLine) {
+  EXPECT_EQ(DescribeFault({{}, ZeroOffFault{"left", 2, 0}, 1.5}),
+            "zero_off: eye left, pan_deg 2, tilt_deg 0, from_s 1.5, until_s 3600");
+  EXPECT_EQ(DescribeFault({{}, SwappedPairFault{}}), "swapped_pair: from_s 0, until_s 3600");
 }
 
 TEST(ScenarioFormat, GoodDocumentsSurviveResolving) {

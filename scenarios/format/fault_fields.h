@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/format/fault_spec.h"
+#include "scenarios/format/field_visitor.h"
+
+namespace horopter::scenarios {
+
+/// The fields of `faults:`.
+AlternativeList FaultList(std::vector<FaultSpec>& faults);
+
+/// One line that says all of a fault, as a file has it: "zero_off: eye left, pan_deg 2, ...".
+std::string DescribeFault(const FaultSpec& fault);
+
+}  // namespace horopter::scenarios
