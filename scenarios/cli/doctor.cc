@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <exception>
 #include <fstream>
 #include <string_view>
 #include <thread>
@@ -15,8 +14,6 @@
 
 namespace horopter::scenarios {
 namespace {
-
-constexpr int kProbeSize_px = 64;
 
 std::string Processor() {
   std::ifstream info("/proc/cpuinfo");
@@ -43,15 +40,8 @@ std::vector<std::string> CpuFeatures() {
 }
 
 GlDiagnosis DiagnoseGl(std::string_view backend) {
-  GlDiagnosis diagnosis{std::string(backend), "", ""};
-  try {
-    const auto context = sim::CreateGlContext(backend, kProbeSize_px, kProbeSize_px);
-    context->MakeCurrent();
-    diagnosis.renderer = context->gl_renderer();
-  } catch (const std::exception& error) {
-    diagnosis.problem = error.what();
-  }
-  return diagnosis;
+  const sim::GlProbe probe = sim::ProbeGlBackend(backend);
+  return {std::string(backend), probe.renderer, probe.problem};
 }
 
 std::vector<std::string> Warnings() {
@@ -66,7 +56,7 @@ std::vector<std::string> Warnings() {
 std::string SimProblem(const Diagnosis& d) {
   const bool gl =
       std::any_of(d.gl.begin(), d.gl.end(), [](const GlDiagnosis& g) { return g.problem.empty(); });
-  if (!gl) return "no GL context: install libosmesa6";
+  if (!gl) return "no GL context: install libosmesa6 or libegl1";
   if (d.scenes.empty()) {
     return "no scenes in " + d.scenes_dir + ": set HOROPTER_SCENES_DIR to the folder of scenes";
   }

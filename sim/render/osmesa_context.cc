@@ -37,6 +37,10 @@ class OsmesaContext final : public GlContext {
     }
   }
 
+  void Release() override {
+    if (OSMesaGetCurrentContext() == context_) OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
+  }
+
   std::string_view name() const override { return "osmesa"; }
 
   std::string gl_renderer() override {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "hardware/types/config_error.h"
 
 namespace horopter::sim {
@@ -36,9 +38,25 @@ TEST(GlContext, UnknownBackendListsTheKnownOnes) {
   }
 }
 
-TEST(GlContext, KnownBackendThatIsNotBuiltNeverFallsBack) {
+TEST(GlContext, AProcessUsesOneBackendOnly) {
+  const auto context = CreateGlContext("osmesa", 4, 4);
+  EXPECT_EQ(GlBackendInUse(), "osmesa");
   EXPECT_THAT([] { CreateGlContext("egl", 4, 4); },
-              ThrowsMessage<RenderError>(HasSubstr("not available in this build")));
+              ThrowsMessage<RenderError>(
+                  AllOf(HasSubstr("'egl'"), HasSubstr("already draws with 'osmesa'"))));
+}
+
+TEST(GlContext, AnotherThreadMayHaveItOnceReleased) {
+  const auto context = CreateGlContext("osmesa", 4, 4);
+  const std::string name = context->gl_renderer();
+  context->Release();
+  std::string elsewhere;
+  std::thread([&] {
+    elsewhere = context->gl_renderer();
+    context->Release();
+  }).join();
+  EXPECT_EQ(elsewhere, name);
+  EXPECT_EQ(context->gl_renderer(), name);
 }
 
 TEST(GlContext, RefusesEmptyFramebuffers) {

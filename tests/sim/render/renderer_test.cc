@@ -236,7 +236,6 @@ TEST(Renderer, RefusesBadOptions) {
   EXPECT_THROW(Renderer(*world, {.near_m = 0}), ConfigError);
   EXPECT_THROW(Renderer(*world, {.near_m = 2, .far_m = 1}), ConfigError);
   EXPECT_THROW(Renderer(*world, {.gl_backend = "glx"}), ConfigError);
-  EXPECT_THROW(Renderer(*world, {.gl_backend = "egl"}), RenderError);
 }
 
 TEST(Renderer, RefusesCamerasItCannotRender) {
