@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/dataset/dataset_writer.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "scenarios/dataset/csv.h"
+#include "scenarios/dataset/frame_files.h"
+#include "scenarios/results/files.h"
+#include "scenarios/results/results_error.h"
+
+namespace horopter::scenarios {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kDegrees = 180 / M_PI;
+
+std::string Sha256(std::string_view bytes) {
+  Hasher hasher;
+  hasher.Update(std::as_bytes(std::span(bytes)));
+  return hasher.Hex();
+}
+
+void RequireFresh(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error) || fs::is_empty(folder, error)) return;
+  throw ResultsError(
+      fmt::format("cannot write a data set to {}: it is not an empty folder; remove "
+                  "it or choose another",
+                  folder.string()));
+}
+
+std::string LegendCsv(const sim::SceneLegend& legend) {
+  std::string text = "kind,value,name,object_value\n";
+  for (int part = 0; part < legend.part_count(); ++part) {
+    text += fmt::format("part,{},{},{}\n", part + 1, CsvField(legend.PartName(part)),
+                        legend.ObjectOf(part) + 1);
+  }
+  for (int object = 0; object < legend.object_count(); ++object) {
+    text += fmt::format("object,{0},{1},{0}\n", object + 1, CsvField(legend.ObjectName(object)));
+  }
+  return text;
+}
+
+std::string IndexHeader() {
+  std::string header = "frame,folder,t_s";
+  for (const std::string_view axis : hardware::kHeadAxisNames) {
+    header += fmt::format(",{}_deg", axis);
+  }
+  return header;
+}
+
+std::string IndexRow(int frame, const std::string& folder, const DatasetFrame& content) {
+  std::string row = fmt::format("{},{},{:.9f}", frame, folder, hardware::ToSeconds(content.t));
+  for (const double angle : hardware::ToArray(content.head)) {
+    row += fmt::format(",{}", angle * kDegrees);
+  }
+  return row;
+}
+
+/// A folder under a temporary name, removed unless it is renamed.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    CreateFolder(path_);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+
+  const fs::path& path() const { return path_; }
+  void RenameTo(const fs::path& folder) {
+    std::error_code error;
+    fs::rename(path_, folder, error);
+    if (error) throw ResultsError(WriteFailure(folder, error.value()));
+    path_.clear();
+  }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+DatasetWriter::DatasetWriter(fs::path folder, const DatasetInfo& info,
+                             const std::optional<sim::SceneLegend>& legend,
+                             const DatasetOptions& options)
+    : folder_(std::move(folder)), info_(info), legend_(legend), options_(options) {
+  RequireFresh(folder_);
+  CreateFolder(folder_);
+  WriteManifest(false);
+  if (legend_) WriteFileAtomically(folder_ / "legend.csv", LegendCsv(*legend_));
+  index_.emplace(folder_ / "index.csv", IndexHeader());
+}
+
+fs::path DatasetWriter::AddFrame(const DatasetFrame& frame) {
+  const FrameFiles files = EncodeFrame(frame, legend_ ? &*legend_ : nullptr, options_);
+  const std::string name = fmt::format("{:06}", frame_count_);
+  TemporaryFolder temporary(folder_ / ("." + name + ".tmp"));
+  std::string sums;
+  std::map<std::string, std::string> hashes;
+  for (const auto& [file, bytes] : files.bytes) {
+    WriteFileAtomically(temporary.path() / file, bytes, Durability::kProcess);
+    hashes[file] = Sha256(bytes);
+    sums += fmt::format("{}  {}\n", hashes[file], file);
+  }
+  WriteFileAtomically(temporary.path() / "SHA256SUMS", sums, Durability::kProcess);
+  temporary.RenameTo(folder_ / name);
+  index_->Append(IndexRow(frame_count_, name, frame));
+  for (const std::string& image : files.images) image_hashes_[name + "/" + image] = hashes[image];
+  for (const auto& [file, count] : files.left_out) left_out_[name + "/" + file] = count;
+  ++frame_count_;
+  return folder_ / name;
+}
+
+void DatasetWriter::Finish() { WriteManifest(true); }
+
+void DatasetWriter::WriteManifest(bool complete) const {
+  std::string all;
+  for (const auto& [file, hash] : image_hashes_) all += hash;
+  nlohmann::ordered_json manifest = {
+      {"format", "horopter data set"},
+      {"format_version", 1},
+      {"complete", complete},
+      {"scene", info_.scene},
+      {"seed", info_.seed},
+      {"gl_renderer", info_.gl_renderer},
+      {"versions", info_.versions},
+      {"frames", frame_count_},
+      {"conventions",
+       {{"pixel_origin", "centre of the top left pixel"},
+        {"optical_frame", "x right, y down, z forward"},
+        {"depth", "metres along z of the optical frame; inf = nothing there"},
+        {"disparity", "x_other - x, y_other - y in pixels"},
+        {"visibility", {{"seen", 255}, {"occluded", 128}, {"out_of_view", 64}, {"nothing", 0}}},
+        {"ids", "id plus one, named in legend.csv; 0 = nothing there"}}},
+      {"images_sha256", Sha256(all)},
+      {"images", image_hashes_}};
+  if (options_.png16) {
+    manifest["png16"] = {{"depth_units_per_m", options_.depth_units_per_m},
+                         {"left_out", left_out_}};
+  }
+  WriteFileAtomically(folder_ / "manifest.json", manifest.dump(2) + "\n");
+}
+
+}  // namespace horopter::scenarios
