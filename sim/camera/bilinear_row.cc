@@ -2,17 +2,11 @@
 #include "sim/camera/bilinear_row.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <opencv2/core.hpp>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
-#endif
-
-#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define HOROPTER_WIDEST __attribute__((target_clones("avx2", "default")))
-#else
-#define HOROPTER_WIDEST
 #endif
 
 namespace horopter::sim {
@@ -21,32 +15,17 @@ namespace {
 constexpr int kFractionBits = 7;
 constexpr int kOne = 1 << kFractionBits;
 
-/// Where samples lie: a byte offset into the image, and the weights of the four pixels there.
-struct Places {
-  std::int32_t* offset;
-  std::int32_t* upper;
-  std::int32_t* lower;
-};
+/// Eight bytes are read where six are meant: no pixel beyond the third-last begins a pair.
+constexpr float kAlmostOne = (kOne - 1.0F) / kOne;
 
-/// The compiler turns this loop into vectors of whatever width the processor has.
-HOROPTER_WIDEST
-void FindPlaces(const float* h, const float* x, const float* y, int count, float last_x,
-                float last_y, int stride, Places to) {
-  for (int i = 0; i < count; ++i) {
-    const float scale = 1.0F / (h[2] * x[i] + h[5] * y[i] + h[8]);
-    const float u = (h[0] * x[i] + h[3] * y[i] + h[6]) * scale;
-    const float v = (h[1] * x[i] + h[4] * y[i] + h[7]) * scale;
-    const float u_in = u < 0 ? 0 : (u > last_x ? last_x : u);
-    const float v_in = v < 0 ? 0 : (v > last_y ? last_y : v);
-    const int u_fixed = static_cast<int>(u_in * kOne + 0.5F);
-    const int v_fixed = static_cast<int>(v_in * kOne + 0.5F);
-    const int right = u_fixed & (kOne - 1), left = kOne - right;
-    const int below = v_fixed & (kOne - 1), above = kOne - below;
-    to.offset[i] = (v_fixed >> kFractionBits) * stride + (u_fixed >> kFractionBits) * 3;
-    to.upper[i] = (above * left) | (above * right) << 16;
-    to.lower[i] = (below * left) | (below * right) << 16;
-  }
-}
+/// An image to take samples from, and how pixels of the row map into it.
+struct Source {
+  const std::uint8_t* pixels;
+  int stride;  ///< bytes from row to row
+  float last_x;
+  float last_y;
+  const float* h;  ///< homography, column by column
+};
 
 #ifdef __SSE2__
 
@@ -57,28 +36,86 @@ inline __m128i Neighbours(const std::uint8_t* pixel) {
   return _mm_unpacklo_epi8(pairs, _mm_setzero_si128());
 }
 
-void Gather(const std::uint8_t* image, int stride, const Places& from, int count,
-            std::int32_t* sum) {
-  for (int i = 0; i < count; ++i) {
-    const std::uint8_t* pixel = image + from.offset[i];
-    const __m128i above = _mm_madd_epi16(Neighbours(pixel), _mm_set1_epi32(from.upper[i]));
-    const __m128i below = _mm_madd_epi16(Neighbours(pixel + stride), _mm_set1_epi32(from.lower[i]));
-    __m128i* to = reinterpret_cast<__m128i*>(sum + 4 * i);
-    _mm_storeu_si128(to, _mm_add_epi32(_mm_loadu_si128(to), _mm_add_epi32(above, below)));
+/// Position on an axis, within the image, in 1/128 pixel.
+inline __m128i Fixed(__m128 position, float last) {
+  const __m128 inside = _mm_min_ps(_mm_max_ps(position, _mm_setzero_ps()), _mm_set1_ps(last));
+  return _mm_cvttps_epi32(_mm_add_ps(_mm_mul_ps(inside, _mm_set1_ps(kOne)), _mm_set1_ps(0.5F)));
+}
+
+inline __m128 Affine(__m128 x, __m128 y, float a, float b, float c) {
+  return _mm_add_ps(_mm_add_ps(_mm_mul_ps(_mm_set1_ps(a), x), _mm_mul_ps(_mm_set1_ps(b), y)),
+                    _mm_set1_ps(c));
+}
+
+/// Where four samples lie: byte offsets, and the weights of two neighbours above and below, 16 bits
+/// each.
+struct FourPlaces {
+  alignas(16) std::int32_t offset[4];
+  alignas(16) std::int32_t above[4];
+  alignas(16) std::int32_t below[4];
+};
+
+inline void FindFour(const Source& from, const float* x4, const float* y4, FourPlaces& to) {
+  const float* h = from.h;
+  const __m128 x = _mm_loadu_ps(x4), y = _mm_loadu_ps(y4);
+  const __m128 scale = _mm_div_ps(_mm_set1_ps(1), Affine(x, y, h[2], h[5], h[8]));
+  const __m128i u = Fixed(_mm_mul_ps(Affine(x, y, h[0], h[3], h[6]), scale), from.last_x);
+  const __m128i v = Fixed(_mm_mul_ps(Affine(x, y, h[1], h[4], h[7]), scale), from.last_y);
+  const __m128i one = _mm_set1_epi32(kOne), fraction = _mm_set1_epi32(kOne - 1);
+  const __m128i right = _mm_and_si128(u, fraction), left = _mm_sub_epi32(one, right);
+  const __m128i down = _mm_and_si128(v, fraction), up = _mm_sub_epi32(one, down);
+  // Column and row as 16 bits of one word, times bytes per pixel and per row.
+  const __m128i cell = _mm_or_si128(_mm_slli_epi32(_mm_srli_epi32(u, kFractionBits), 16),
+                                    _mm_srli_epi32(v, kFractionBits));
+  const __m128i bytes = _mm_set1_epi32((3 << 16) | from.stride);
+  const auto store = [](std::int32_t* where, __m128i what) {
+    _mm_store_si128(reinterpret_cast<__m128i*>(where), what);
+  };
+  const __m128i sides = _mm_or_si128(left, _mm_slli_epi32(right, 16));
+  const auto twice = [](__m128i n) { return _mm_or_si128(n, _mm_slli_epi32(n, 16)); };
+  store(to.offset, _mm_madd_epi16(cell, bytes));
+  store(to.above, _mm_mullo_epi16(sides, twice(up)));
+  store(to.below, _mm_mullo_epi16(sides, twice(down)));
+}
+
+inline void AddSample(const Source& from, const FourPlaces& places, int k, std::int32_t* sum) {
+  const std::uint8_t* pixel = from.pixels + places.offset[k];
+  const __m128i above = _mm_madd_epi16(Neighbours(pixel), _mm_set1_epi32(places.above[k]));
+  const __m128i below =
+      _mm_madd_epi16(Neighbours(pixel + from.stride), _mm_set1_epi32(places.below[k]));
+  __m128i* to = reinterpret_cast<__m128i*>(sum);
+  _mm_storeu_si128(to, _mm_add_epi32(_mm_loadu_si128(to), _mm_add_epi32(above, below)));
+}
+
+/// @pre x, y and sum go on for up to three values beyond `count`
+void AddSamples(const Source& from, const float* x, const float* y, int count, std::int32_t* sum) {
+  FourPlaces places;
+  for (int i = 0; i < count; i += 4) {
+    FindFour(from, x + i, y + i, places);
+    for (int k = 0; k < 4; ++k) AddSample(from, places, k, sum + 4 * (i + k));
   }
 }
 
 #else
 
-void Gather(const std::uint8_t* image, int stride, const Places& from, int count,
-            std::int32_t* sum) {
+int Fixed(float position, float last) {
+  return static_cast<int>(std::clamp(position, 0.0F, last) * kOne + 0.5F);
+}
+
+void AddSamples(const Source& from, const float* x, const float* y, int count, std::int32_t* sum) {
+  const float* h = from.h;
   for (int i = 0; i < count; ++i) {
-    const std::uint8_t* upper = image + from.offset[i];
-    const std::uint8_t* lower = upper + stride;
-    const std::int32_t a = from.upper[i] & 0xffff, b = from.upper[i] >> 16;
-    const std::int32_t c = from.lower[i] & 0xffff, d = from.lower[i] >> 16;
+    const float scale = 1.0F / (h[2] * x[i] + h[5] * y[i] + h[8]);
+    const int u = Fixed((h[0] * x[i] + h[3] * y[i] + h[6]) * scale, from.last_x);
+    const int v = Fixed((h[1] * x[i] + h[4] * y[i] + h[7]) * scale, from.last_y);
+    const int right = u & (kOne - 1), left = kOne - right;
+    const int down = v & (kOne - 1), up = kOne - down;
+    const std::uint8_t* above =
+        from.pixels + (v >> kFractionBits) * from.stride + (u >> kFractionBits) * 3;
+    const std::uint8_t* below = above + from.stride;
     for (int k = 0; k < 3; ++k) {
-      sum[4 * i + k] += a * upper[k] + b * upper[k + 3] + c * lower[k] + d * lower[k + 3];
+      sum[4 * i + k] += up * (left * above[k] + right * above[k + 3]) +
+                        down * (left * below[k] + right * below[k + 3]);
     }
   }
 }
@@ -90,23 +127,16 @@ void Gather(const std::uint8_t* image, int stride, const Places& from, int count
 void BilinearRow::Start(int width) {
   width_ = width;
   count_ = 0;
-  const auto size = static_cast<std::size_t>(width);
-  sum_.assign(4 * size, 0);
-  offset_.resize(size);
-  upper_weights_.resize(size);
-  lower_weights_.resize(size);
+  sum_.assign(4 * RoundedUp(width), 0);
 }
 
 void BilinearRow::Add(const cv::Mat3b& image, const Eigen::Matrix3f& H, const float* x,
                       const float* y) {
-  CV_Assert(image.cols >= 4 && image.rows >= 2);
-  // Eight bytes are read where six are meant: no pixel beyond the third-last begins a pair.
-  constexpr float kAlmostOne = (kOne - 1.0F) / kOne;
-  const Places places{offset_.data(), upper_weights_.data(), lower_weights_.data()};
-  const int stride = static_cast<int>(image.step);
-  FindPlaces(H.data(), x, y, width_, image.cols - 3 + kAlmostOne, image.rows - 2 + kAlmostOne,
-             stride, places);
-  Gather(image.ptr(), stride, places, width_, sum_.data());
+  CV_Assert(image.cols >= 4 && image.rows >= 2 && image.rows <= kLargestSide &&
+            image.step <= static_cast<std::size_t>(3 * kLargestSide));
+  const Source source{image.ptr(), static_cast<int>(image.step), image.cols - 3 + kAlmostOne,
+                      image.rows - 2 + kAlmostOne, H.data()};
+  AddSamples(source, x, y, width_, sum_.data());
   ++count_;
 }
 
@@ -114,8 +144,8 @@ void BilinearRow::Store(std::uint8_t* row) const {
   const float scale = 1.0F / (static_cast<float>(kOne * kOne) * static_cast<float>(count_));
   for (int i = 0; i < width_; ++i) {
     for (int k = 0; k < 3; ++k) {
-      row[3 * i + k] =
-          static_cast<std::uint8_t>(static_cast<float>(sum_[4 * i + k]) * scale + 0.5F);
+      row[3 * i + k] = static_cast<std::uint8_t>(
+          static_cast<int>(static_cast<float>(sum_[4 * i + k]) * scale + 0.5F));
     }
   }
 }

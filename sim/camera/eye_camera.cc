@@ -35,8 +35,8 @@ EyeMotion FastestTurn(const Eigen::Vector3d& axis, double window_s) {
   return motion;
 }
 
-/// No image is larger: more than any GL here renders.
-constexpr int kNoLimit = 1 << 15;
+/// No view is larger, whatever the lens: what GL renders at most.
+constexpr int kNoLimit = 8192;
 
 }  // namespace
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "sim/camera/bilinear_row.h"
+
 namespace horopter::sim {
 namespace {
 
@@ -58,6 +60,10 @@ LensMap::LensMap(const CameraModel& camera)
         }
         x_(y, x) = static_cast<float>(ray->x());
         y_(y, x) = static_cast<float>(ray->y());
+      }
+      for (int x = in.width; x < x_.cols; ++x) {
+        x_(y, x) = x_(y, in.width - 1);
+        y_(y, x) = y_(y, in.width - 1);
       }
     }
   });

@@ -32,7 +32,7 @@ class LensMap {
   explicit LensMap(const hardware::CameraModel& camera);
 
   const hardware::CameraModel& camera() const { return camera_; }
-  /// Of one row, width() values each.
+  /// Of one row: as many values as the image is wide, rounded up for BilinearRow.
   const float* x(int row) const { return x_[row]; }
   const float* y(int row) const { return y_[row]; }
   Eigen::Vector3f Ray(int row, int column) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <opencv2/core/hal/hal.hpp>
 #include <string>
 
 #include "sim/random/random_stream.h"
@@ -86,6 +87,9 @@ SensorModel::SensorModel(const CameraProfile& profile, const hardware::CameraMod
       read_stream_(Stream(seed, "read_noise", camera)),
       shot_stream_(Stream(seed, "shot_noise", camera)) {
   hardware::ThrowIfAny(profile.Validate());
+  for (int level = 0; level < 256; ++level) {
+    grey_[level] = cv::saturate_cast<std::uint8_t>(level * 255 / levels_);
+  }
   // The loss is separable: proportional to dx^2 + dy^2, and all of it at the farthest corner.
   const hardware::Intrinsics& in = model.intrinsics();
   const auto square = [](double pixels, double focal) { return pixels / focal * pixels / focal; };
@@ -106,12 +110,15 @@ void SensorModel::Expose(int y, const std::uint8_t* row, float* signal) const {
   for (int i = 0; i < 3 * width_; ++i) signal[i] = row[i] * (gain - loss[i]);
 }
 
-void SensorModel::AddNoise(std::uint64_t frame, int y, float* signal, float* normal) const {
+void SensorModel::AddNoise(std::uint64_t frame, int y, float* signal, float* normal,
+                           float* sigma) const {
   const int values = 3 * width_;
   // Shot noise first: it follows the light alone.
   if (shot_gain_ > 0) {
     DrawNormals(shot_stream_, frame, y, values, normal);
-    for (int i = 0; i < values; ++i) signal[i] += std::sqrt(shot_gain_ * signal[i]) * normal[i];
+    for (int i = 0; i < values; ++i) sigma[i] = shot_gain_ * signal[i];
+    cv::hal::sqrt32f(sigma, sigma, values);
+    for (int i = 0; i < values; ++i) signal[i] += sigma[i] * normal[i];
   }
   if (read_noise_ > 0) {
     DrawNormals(read_stream_, frame, y, values, normal);
@@ -119,12 +126,11 @@ void SensorModel::AddNoise(std::uint64_t frame, int y, float* signal, float* nor
   }
 }
 
-void SensorModel::Digitise(const float* signal, std::uint8_t* row) const {
-  const float to_level = levels_ / 255, to_grey = 255 / levels_;
-  for (int i = 0; i < 3 * width_; ++i) {
-    const float clipped = std::min(std::max(signal[i], 0.0F), 255.0F);
-    const int level = static_cast<int>(clipped * to_level + 0.5F);
-    row[i] = static_cast<std::uint8_t>(static_cast<int>(level * to_grey + 0.5F));
+void SensorModel::Digitise(float* signal, std::uint8_t* row) const {
+  cv::Mat1b digits(1, 3 * width_, row);
+  cv::Mat1f(1, 3 * width_, signal).convertTo(digits, CV_8U, levels_ / 255);  // rounds and clips
+  if (levels_ < 255) {
+    for (int i = 0; i < 3 * width_; ++i) row[i] = grey_[row[i]];
   }
 }
 
@@ -132,13 +138,14 @@ void SensorModel::Apply(std::uint64_t frame, cv::Mat& bgr) const {
   CV_Assert(bgr.type() == CV_8UC3 && bgr.cols == width_ && bgr.rows == height_);
   if (ideal()) return;
   cv::parallel_for_(cv::Range(0, bgr.rows), [&](const cv::Range& rows) {
-    thread_local std::vector<float> signal, normal;  // kept from frame to frame
-    signal.resize(3 * static_cast<std::size_t>(width_));
-    normal.resize(signal.size());
+    thread_local std::vector<float> signal, normal, sigma;  // kept from frame to frame
+    for (std::vector<float>* values : {&signal, &normal, &sigma}) {
+      values->resize(3 * static_cast<std::size_t>(width_));
+    }
     for (int y = rows.start; y < rows.end; ++y) {
       std::uint8_t* row = bgr.ptr<std::uint8_t>(y);
       Expose(y, row, signal.data());
-      AddNoise(frame, y, signal.data(), normal.data());
+      AddNoise(frame, y, signal.data(), normal.data(), sigma.data());
       Digitise(signal.data(), row);
     }
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
 #include <string_view>
@@ -33,8 +34,8 @@ class SensorModel {
 
  private:
   void Expose(int y, const std::uint8_t* row, float* signal) const;
-  void AddNoise(std::uint64_t frame, int y, float* signal, float* normal) const;
-  void Digitise(const float* signal, std::uint8_t* row) const;
+  void AddNoise(std::uint64_t frame, int y, float* signal, float* normal, float* sigma) const;
+  void Digitise(float* signal, std::uint8_t* row) const;
 
   int width_;
   int height_;
@@ -43,8 +44,9 @@ class SensorModel {
   float shot_gain_;
   float levels_;  ///< highest number of the converter
   bool has_gain_;
-  std::vector<float> column_loss_;  ///< by which vignetting lowers the gain, per value of a row
-  std::vector<float> row_loss_;     ///< likewise, per row
+  std::array<std::uint8_t, 256> grey_;  ///< that a number of the converter stands for
+  std::vector<float> column_loss_;      ///< by which vignetting lowers the gain, per value of a row
+  std::vector<float> row_loss_;         ///< likewise, per row
   std::uint64_t read_stream_;
   std::uint64_t shot_stream_;
 };
