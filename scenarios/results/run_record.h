@@ -114,6 +114,7 @@ struct RunSummary {
   std::string file;  ///< as given on the command line
   std::uint64_t seed = 0;
   std::string backend;
+  std::vector<std::string> faults;  ///< injected on purpose; a line each, as the scenario has them
   Outcome outcome = Outcome::kIncomplete;
   std::string error;  ///< why the run did not come to its end; empty when it did
   std::vector<ExpectationResult> expectations;

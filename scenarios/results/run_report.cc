@@ -22,6 +22,9 @@ std::string Header(const RunSummary& run) {
   if (!run.description.empty()) {
     html += fmt::format("<p class=\"lead\">{}</p>", EscapeHtml(run.description));
   }
+  for (const std::string& fault : run.faults) {
+    html += fmt::format("<p>Fault injected on purpose: {}</p>", EscapeHtml(fault));
+  }
   html += fmt::format(
       "<ul class=\"facts\"><li><span>seed</span> <b>{}</b></li><li><span>backend</span> <b>{}</b>"
       "</li><li><span>simulated</span> <b>{}</b></li><li><span>took</span> <b>{}</b></li></ul>",

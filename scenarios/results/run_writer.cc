@@ -23,7 +23,8 @@ namespace {
 /// What an earlier run in the same folder may have left.
 void RemoveOldResults(const fs::path& folder) {
   std::error_code ignored;
-  for (const char* name : {"plan.json", "plan.svg", "report.html", "junit.xml"}) {
+  for (const char* name :
+       {"room.json", "room.xml", "plan.json", "plan.svg", "report.html", "junit.xml"}) {
     fs::remove(folder / name, ignored);
   }
   for (const auto& entry : fs::directory_iterator(folder / "frames", ignored)) {
@@ -89,6 +90,10 @@ void RunWriter::AddFrame(const FrameRecord& frame, const FrameImages& images) {
 void RunWriter::AddPathPoint(const PathPoint& point) {
   path_.push_back(point);
   trajectory_csv_.Append(PathTableRow(point));
+}
+
+void RunWriter::AddRecord(const std::string& name, const std::string& text) {
+  WriteFileAtomically(folder_ / name, text);
 }
 
 void RunWriter::Finish(const RunSummary& summary, const PlanRecord& plan) {

@@ -19,6 +19,7 @@ namespace horopter::scenarios {
 ///   frames.csv, trajectory.csv   a header, then one row per call, each handed to the operating
 ///                  system whole, so that a killed process leaves all its rows readable
 ///   frames/NNNN_left.png ...     the chosen frames (NNNN is the frame's index)
+///   room.json, room.xml   a generated room: what stands where, and its whole scene
 ///   plan.json, plan.svg, report.html, junit.xml   by Finish()
 ///
 /// Every other file appears whole or not at all (a temporary in the same folder, then a rename).
@@ -44,6 +45,9 @@ class RunWriter {
 
   /// One row of trajectory.csv. @throws ResultsError
   void AddPathPoint(const PathPoint& point);
+
+  /// One more file of the run's folder: room.json or room.xml. @throws ResultsError
+  void AddRecord(const std::string& name, const std::string& text);
 
   /// Writes the plan, the report and junit.xml, then summary.json. To be called once; also for a
   /// run that failed, stopped with an error, or ran out of time (`summary.outcome` says so).

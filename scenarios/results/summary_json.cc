@@ -63,6 +63,7 @@ class RunReader {
     run.file = Text("file");
     run.seed = ReadSeed();
     run.backend = Required<std::string>(json_, "backend", "a text");
+    run.faults = ReadFaults();
     run.outcome = ReadOutcome<Outcome>(
         json_, "outcome",
         {Outcome::kPassed, Outcome::kFailed, Outcome::kError, Outcome::kIncomplete});
@@ -160,6 +161,18 @@ class RunReader {
     return expectations;
   }
 
+  std::vector<std::string> ReadFaults() const {
+    const Json& list = At(json_, "faults");
+    if (list.is_null()) return {};
+    if (!list.is_array()) Fail("faults", "must be a list");
+    std::vector<std::string> faults;
+    for (const Json& item : list) {
+      if (!item.is_string()) Fail("faults", "must be a list of texts");
+      faults.push_back(item);
+    }
+    return faults;
+  }
+
   std::map<std::string, double> ReadMetrics() const {
     std::map<std::string, double> metrics;
     for (const auto& [name, value] : Object("metrics").items()) {
@@ -199,6 +212,8 @@ class RunReader {
 nlohmann::ordered_json ToJson(const RunSummary& run) {
   Json expectations = Json::array();
   for (const ExpectationResult& e : run.expectations) expectations.push_back(ToJson(e));
+  Json faults = Json::array();
+  for (const std::string& fault : run.faults) faults.push_back(CleanText(fault));
   Json metrics = Json::object();
   for (const auto& [name, value] : run.metrics) metrics[CleanText(name)] = OrNull(value);
   Json timing = Json::object();
@@ -211,6 +226,7 @@ nlohmann::ordered_json ToJson(const RunSummary& run) {
           {"directory", OrNull(run.directory)},
           {"seed", run.seed},
           {"backend", CleanText(run.backend)},
+          {"faults", std::move(faults)},
           {"outcome", ToString(run.outcome)},
           {"error", OrNull(run.error)},
           {"expectations", std::move(expectations)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -37,6 +38,9 @@ class Backend {
 
   /// "" where no image is rendered.
   virtual std::string gl_renderer() const = 0;
+
+  /// Texts for the run's folder, by file name: what was generated for this run.
+  virtual std::map<std::string, std::string> records() const { return {}; }
 };
 
 /// The only place that knows which backend is behind a name.

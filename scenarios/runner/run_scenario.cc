@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "scenarios/format/fault_fields.h"
 #include "scenarios/format/robot_description.h"
 #include "scenarios/format/scenario_format.h"
 #include "scenarios/format/scenes.h"
@@ -41,6 +42,7 @@ void Play(const Scenario& scenario, const RunHooks& hooks, RunWriter& writer, Ru
   hardware::StageTimes times;
   const auto backend = CreateBackend(scenario, robot, times);
   summary.gl_renderer = backend->gl_renderer();
+  for (const auto& [name, text] : backend->records()) writer.AddRecord(name, text);
 
   Session session(scenario, robot, *backend, writer, times, hooks);
   const auto book_results = [&] {
@@ -85,6 +87,7 @@ RunSummary IdentityOf(const Scenario& scenario) {
   summary.file = scenario.file.string();
   summary.seed = scenario.seed;
   summary.backend = scenario.backend;
+  for (const FaultSpec& fault : scenario.faults) summary.faults.push_back(DescribeFault(fault));
   summary.versions = LibraryVersions();
   return summary;
 }

@@ -18,6 +18,11 @@ using hardware::Result;
 /// Long enough for the wheels to take up the robot's weight and for the body to stop swinging.
 constexpr Duration kSettleTime = std::chrono::milliseconds(400);
 
+std::unique_ptr<World> LoadScene(const KoalaSimulationConfig& config) {
+  return config.scene_text.empty() ? std::make_unique<World>(config.scene)
+                                   : World::FromXml(config.scene_text);
+}
+
 }  // namespace
 
 class KoalaSimulation::SimBase final : public SimDevice<hardware::MobileBase> {
@@ -51,9 +56,10 @@ class KoalaSimulation::SimBase final : public SimDevice<hardware::MobileBase> {
 };
 
 KoalaSimulation::KoalaSimulation(const KoalaSimulationConfig& config, hardware::StageTimes& times)
-    : config_(config), world_(std::make_unique<World>(config.scene)) {
+    : config_(config), world_(LoadScene(config)) {
   Vary(*world_, config.variation, config.seed);
-  head_ = std::make_unique<VirtualHead>(*world_, config.head);
+  config_.head.time_zero = kSettleTime;
+  head_ = std::make_unique<VirtualHead>(*world_, config_.head);
   plant_ = std::make_unique<KoalaPlant>(*world_, config.plant);
   Settle();
   for (const auto& [body, X_OBody] : config.X_OBody) world_->PlaceBody(body, X_WO_ * X_OBody);

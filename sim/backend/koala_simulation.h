@@ -31,6 +31,7 @@ namespace horopter::sim {
 /// A simulated Koala: its scene, its seed, its sensors.
 struct KoalaSimulationConfig {
   std::filesystem::path scene;
+  std::string scene_text;  ///< MJCF to use in place of the file, as it is; "": the file
   std::uint64_t seed = 1;
   VariationConfig variation;
   /// Bodies to place before the start, by name, in the robot's starting frame.

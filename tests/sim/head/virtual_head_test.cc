@@ -139,5 +139,88 @@ TEST(VirtualHead, RefusesLimitsBeyondTheJointsAndScenesWithoutAHead) {
   EXPECT_THROW(VirtualHead(*bare, KoalaHead()), SceneError);
 }
 
+hardware::HeadAngles AfterLooking(const VirtualHeadConfig& config, double seconds,
+                                  hardware::HeadAngles* reading = nullptr) {
+  World world(kRoom);
+  VirtualHead head(world, config);
+  head.Command(kLookAround);
+  Play(world, head, seconds);
+  if (reading != nullptr) *reading = head.ReadEncoders();
+  return head.TrueAngles();
+}
+
+hardware::Time At(double s) { return hardware::Time(hardware::FromSeconds(s)); }
+
+TEST(VirtualHeadFaults, OfOneAxisLeaveTheOthersAsTheyWere) {
+  VirtualHeadConfig sound = KoalaHead(), faulty = KoalaHead();
+  faulty.faults = {{Backlash{hardware::HeadAxis::kLeftPan, 1 * kDegree}},
+                   {EncoderBias{hardware::HeadAxis::kLeftTilt, 2 * kDegree}}};
+  hardware::HeadAngles read_sound, read_faulty;
+  const auto a = AfterLooking(sound, 1, &read_sound), b = AfterLooking(faulty, 1, &read_faulty);
+  // Backlash shakes the body, which the joints of one eye hang on; what is commanded is the same.
+  EXPECT_NEAR(a.right.pan_rad, b.right.pan_rad, 1e-6);
+  EXPECT_NEAR(a.left.pan_rad - b.left.pan_rad, 0.5 * kDegree, 0.01 * kDegree);
+  EXPECT_NEAR(read_faulty.left.pan_rad, read_sound.left.pan_rad, 0.01 * kDegree);
+  EXPECT_NEAR(read_faulty.left.tilt_rad - read_sound.left.tilt_rad, 2 * kDegree, 1e-6);
+  EXPECT_NEAR(b.left.tilt_rad, a.left.tilt_rad, 1e-6);
+}
+
+TEST(VirtualHeadFaults, ThatNeverBeginChangeNoBit) {
+  VirtualHeadConfig sound = KoalaHead(), later = KoalaHead();
+  sound.encoder_noise_rad = later.encoder_noise_rad = 0.1 * kDegree;
+  const TimeWindow never{At(100), At(101)};
+  using hardware::HeadAxis;
+  later.faults = {{Backlash{HeadAxis::kLeftPan, 1}, never},
+                  {ZeroOff{hardware::Eye::kRight, 0.1, 0.1}, never},
+                  {EncoderNoise{HeadAxis::kLeftTilt, 1}, never},
+                  {StuckAxis{HeadAxis::kRightPan}, never}};
+  hardware::HeadAngles read_sound, read_later;
+  const auto a = AfterLooking(sound, 0.5, &read_sound), b = AfterLooking(later, 0.5, &read_later);
+  EXPECT_EQ(hardware::ToArray(a), hardware::ToArray(b));
+  EXPECT_EQ(hardware::ToArray(read_sound), hardware::ToArray(read_later));
+}
+
+TEST(VirtualHeadFaults, AZeroThatIsOffTurnsTheCameraAndNotTheReading) {
+  World world(kRoom);
+  VirtualHeadConfig config = KoalaHead();
+  config.faults = {{ZeroOff{hardware::Eye::kLeft, 2 * kDegree, 0}}};
+  VirtualHead head(world, config);
+  Play(world, head, 0.5);
+  const Eigen::Vector3d axis = world.X_WCamera("left").linear().col(2);
+  EXPECT_NEAR(std::atan2(axis.y(), axis.x()), 2 * kDegree, 0.02 * kDegree);
+  EXPECT_NEAR(head.ReadEncoders().left.pan_rad, 0, 0.02 * kDegree);
+}
+
+TEST(VirtualHeadFaults, AStuckAxisStaysAndGoesOnWhenItIsReleased) {
+  World world(kRoom);
+  VirtualHeadConfig config = KoalaHead();
+  config.time_zero = hardware::FromSeconds(0.1);
+  config.faults = {{StuckAxis{hardware::HeadAxis::kLeftPan}, {At(0.1), At(0.6)}}};
+  VirtualHead head(world, config);
+  head.Command(kLookAround);
+  Play(world, head, 0.3);
+  const double held = head.TrueAngles().left.pan_rad;
+  EXPECT_GT(held, 5 * kDegree) << "it had begun to move";
+  EXPECT_LT(held, 30 * kDegree);
+  Play(world, head, 0.35);
+  EXPECT_NEAR(head.TrueAngles().left.pan_rad, held, 0.05 * kDegree);
+  EXPECT_NEAR(head.TrueAngles().right.pan_rad, kLookAround.right.pan_rad, 0.05 * kDegree);
+  EXPECT_FALSE(head.AtTarget());
+  Play(world, head, 0.8);
+  EXPECT_NEAR(head.TrueAngles().left.pan_rad, kLookAround.left.pan_rad, 0.05 * kDegree);
+}
+
+TEST(VirtualHeadFaults, OfAxesThatTheSceneLacksAreRefused) {
+  World world(kRoom);
+  VirtualHeadConfig config = KoalaHead();
+  config.faults = {{StuckAxis{hardware::HeadAxis::kNeckPan}}};
+  try {
+    VirtualHead head(world, config);
+    FAIL() << "expected ConfigError";
+  } catch (const hardware::ConfigError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("neck_pan"));
+  }
+}
+
 }  // namespace
 }  // namespace horopter::sim
