@@ -7,7 +7,7 @@ namespace horopter::scenarios {
 
 const std::vector<BackendInfo>& Backends() {
   static const std::vector<BackendInfo> backends = {
-      {"sim", "MuJoCo in lockstep; needs a GL context (OSMesa) and the scenes folder.", ""},
+      {"sim", "MuJoCo in lockstep; needs a GL context (OSMesa, EGL) and the scenes folder.", ""},
       {"emulated", "The robot's real drivers on emulated firmware, with MuJoCo as the plant.",
        "this build has neither drivers nor firmware emulators; use --backend sim"},
       {"hardware", "The robot itself, on a serial port or a socket.",

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <string>
 
 #include "fixed_views.h"
 #include "peer.h"
@@ -99,6 +100,74 @@ TEST(OnePass, DrawsWhatMujocoDraws) {
 TEST(OnePass, DrawsWhatMujocoDrawsWithoutShadows) {
   const auto world = World::FromXml(testing::kShowroomXml);
   ExpectAgreesWithPeer(*world, {.width = 320, .height = 240, .shadows = false});
+}
+
+TEST(OnePass, LeavesReflectionsToMujoco) {
+  const auto world = World::FromXml(R"(
+      <mujoco>
+        <asset><material name="mirror" reflectance=".5" rgba=".5 .5 .6 1"/></asset>
+        <worldbody>
+          <light pos="1 0 3" dir="0 0 -1"/>
+          <geom type="plane" size="3 3 .1" material="mirror"/>
+          <geom type="box" size=".2 .2 .2" pos="2 0 .5" rgba="1 0 0 1"/>
+        </worldbody>
+      </mujoco>)");
+  Renderer ours(*world, {.width = 320, .height = 240});
+  Renderer mujoco(*world, {.width = 320, .height = 240, .shading = Shading::kMujoco});
+  const PosedCamera view = testing::FixedViews().front();
+  const auto a = ours.Render(view.X_WC, view.camera, kEverything);
+  EXPECT_TRUE(SameBits(a.bgr, mujoco.Render(view.X_WC, view.camera).bgr));
+  EXPECT_GT(cv::countNonZero(a.ids == 1), 0);
+  EXPECT_GT(cv::countNonZero(a.ids == 0), 0);
+}
+
+TEST(OnePass, NumbersMoreGeomsThanAByteHolds) {
+  std::string xml = "<mujoco><worldbody>";
+  for (int i = 0; i < 700; ++i) {
+    xml += "<geom type='box' size='.02 .01 .01' pos='1 " + std::to_string((17 - i % 35) * 0.03) +
+           " " + std::to_string((10 - i / 35) * 0.03 + 0.5) + "'/>";
+  }
+  const auto world = World::FromXml(xml + "</worldbody></mujoco>");
+  Renderer ours(*world, {.width = 320, .height = 240});
+  testing::Peer peer(*world, {.width = 320, .height = 240});
+  const PosedCamera view = testing::FixedViews().front();
+  const auto a = ours.Render(view.X_WC, view.camera, kEverything);
+  const auto b = peer.Render(view, {.rgb = false, .depth = false, .ids = true});
+  EXPECT_EQ(cv::countNonZero(a.ids != b.ids), 0);
+  EXPECT_GT(cv::countNonZero(a.ids > 255), 100);
+}
+
+/// The camera that takes four samples where `camera` takes one.
+PosedCamera Finer(const PosedCamera& view) {
+  const hardware::Intrinsics& in = view.camera.intrinsics();
+  return {view.X_WC, hardware::CameraModel({2 * in.width, 2 * in.height, 2 * in.fx, 2 * in.fy,
+                                            2 * in.cx + 0.5, 2 * in.cy + 0.5})};
+}
+
+TEST(Supersampling, IsTheMeanOfFourSamplesAndLeavesDepthAndIdsAlone) {
+  const auto world = World::FromXml(testing::kShowroomXml);
+  Renderer fine(*world, {.width = 320, .height = 240, .supersample = true});
+  Renderer usual(*world, {.width = 320, .height = 240});
+  Renderer large(*world, {.width = 640, .height = 480});
+  const PosedCamera view = testing::FixedViews().front();
+  const auto a = fine.Render(view.X_WC, view.camera, kEverything);
+  const auto b = usual.Render(view.X_WC, view.camera, kEverything);
+  const PosedCamera finer = Finer(view);
+  const cv::Mat3b samples = large.Render(finer.X_WC, finer.camera).bgr;
+  EXPECT_TRUE(SameBits(a.depth, b.depth));
+  EXPECT_TRUE(SameBits(a.ids, b.ids));
+  int off = 0;
+  for (int y = 0; y < a.bgr.rows; ++y) {
+    for (int x = 0; x < a.bgr.cols; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const int sum = samples(2 * y, 2 * x)[c] + samples(2 * y, 2 * x + 1)[c] +
+                        samples(2 * y + 1, 2 * x)[c] + samples(2 * y + 1, 2 * x + 1)[c];
+        off += std::abs(4 * a.bgr(y, x)[c] - sum) > 2;
+      }
+    }
+  }
+  // The frustum's sides are rounded to float from another focal length.
+  EXPECT_LE(off, a.bgr.total() * 3 / 1000);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the hash of each fixed view, one a line, for tests that compare processes:
+// Prints the driver's name and the hash of each fixed view, one a line, for tests that compare
+// processes:
 //   print_hashes BACKEND [reverse] [busy]
 // Exits 3 when this machine lacks the backend, with the reason on stderr.
 #include <algorithm>
@@ -26,6 +27,7 @@ void Print(const std::string& backend, bool reversed) {
     const std::size_t k = reversed ? views.size() - 1 - i : i;
     hashes[k] = testing::Hash(renderer.Render(views[k].X_WC, views[k].camera, kEverything));
   }
+  std::printf("%s\n", renderer.gl_renderer().c_str());
   for (const std::uint64_t hash : hashes) std::printf("%016lx\n", hash);
 }
 
