@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "hardware/types/config_error.h"
@@ -110,6 +111,19 @@ void PlaceClutter(const World& world, const TabletopConfig& config, std::uint64_
   }
 }
 
+/// Textures of everything that is not under the floor: painting takes most of the time that a
+/// tabletop needs.
+std::set<int> SeenTextures(const World& world) {
+  const mjModel& model = world.model();
+  std::set<int> seen;
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    const bool hidden = world.data().xpos[3 * model.geom_bodyid[geom] + 2] < kUnderTheFloor_m / 2;
+    const int material = model.geom_matid[geom];
+    if (!hidden && material >= 0) seen.insert(model.mat_texid[material]);
+  }
+  return seen;
+}
+
 std::string SetBackground(World& world, const TabletopConfig& config, std::uint64_t seed) {
   const std::vector<std::string> all = Backgrounds(world);
   if (all.empty()) return "";
@@ -163,7 +177,8 @@ Tabletop ArrangeTabletop(World& world, const TabletopConfig& config, std::uint64
   tabletop.background = SetBackground(world, config, seed);
   tabletop.lamp = DrawLamp(config.light, seed);
   SetLamp(world, tabletop.lamp, plan.centre_W());
-  PaintTextures(world.mutable_model(), config.textures ? seed : 0);
+  PaintTextures(world.mutable_model(), config.textures ? seed : 0,
+                [seen = SeenTextures(world)](int texture) { return seen.contains(texture); });
   world.Forward();
   return tabletop;
 }

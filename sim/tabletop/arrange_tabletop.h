@@ -34,7 +34,7 @@ std::vector<std::string> Backgrounds(const World& world);
 
 /// Varies a tabletop that has just been loaded: puts the objects on the geom "table_top", then
 /// clutter between them, then one object in front of another; sets the lights and the background,
-/// paints all textures; then World::Forward().
+/// paints the textures of what can be seen; then World::Forward().
 ///
 /// Everything stands upright on the table, nothing touches anything else. The same seed gives the
 /// same tabletop. Each part draws from streams of its own, so that turning one off changes no

@@ -14,7 +14,7 @@ using hardware::Pose;
 
 constexpr int kMostDraws = 5000;
 constexpr int kCoarseGrid = 28;
-constexpr int kFineGrid = 80;
+constexpr int kFineGrid = 64;
 
 Eigen::Vector2d InDirection(double azimuth_rad) {
   return {std::cos(azimuth_rad), std::sin(azimuth_rad)};
@@ -145,7 +145,7 @@ void TablePlan::Refresh() {
   }
 }
 
-std::optional<Pose> TablePlan::HideAt(const Standing& target, const Thing& by, double fraction,
+std::optional<Pose> TablePlan::HideAt(const Alone& target, const Thing& by, double fraction,
                                       double nearer_m, double side) const {
   const Eigen::Vector2d at_m = target.X_WB.translation().head<2>();
   const Eigen::Vector2d to_viewpoint = viewpoint_W_.head<2>() - at_m;
@@ -156,42 +156,46 @@ std::optional<Pose> TablePlan::HideAt(const Standing& target, const Thing& by, d
         at_m + nearer_m * InDirection(azimuth) + side * aside_m * InDirection(azimuth + M_PI / 2),
         0);
   };
-  const Silhouette alone(target.thing, target.X_WB, viewpoint_W_, kFineGrid);
+  constexpr double kClose = 0.01;
+  if (target.coarse.HiddenWith(by, at(0)) < fraction - kClose) return std::nullopt;
   // Straight in front it hides most; moved aside ever less.
   double covers_m = 0, clears_m = target.thing.radius_m() + by.radius_m();
-  if (alone.HiddenWith(by, at(0)) < fraction) return std::nullopt;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < 14; ++i) {
     const double middle_m = (covers_m + clears_m) / 2;
-    (alone.HiddenWith(by, at(middle_m)) >= fraction ? covers_m : clears_m) = middle_m;
+    (target.fine.HiddenWith(by, at(middle_m)) >= fraction ? covers_m : clears_m) = middle_m;
   }
   const Pose X_WB = at(covers_m);
-  constexpr double kClose = 0.01;
-  if (std::abs(alone.HiddenWith(by, X_WB) - fraction) > kClose) return std::nullopt;
+  if (std::abs(target.fine.HiddenWith(by, X_WB) - fraction) > kClose) return std::nullopt;
   const GroundPlan plan = PlanOf(by, X_WB);
   const GroundPlan targets = PlanOf(target.thing, target.X_WB);
   if (!OnTable(plan) || !Apart(plan, targets, config_.arrangement.gap_m)) return std::nullopt;
   return X_WB;
 }
 
-std::vector<std::string> TablePlan::InTheWay(const Standing& target, const Thing& by,
+std::vector<std::string> TablePlan::InTheWay(const Alone& target, const Thing& by,
                                              const Pose& X_WB) const {
   std::vector<std::string> names;
-  const Silhouette alone(target.thing, target.X_WB, viewpoint_W_, kFineGrid);
   for (const Standing& other : standing_) {
     if (other.thing.name() == target.thing.name()) continue;
     const double most = std::max(config_.arrangement.max_hidden, other.silhouette.hidden());
     const bool hidden = other.is_object && other.silhouette.HiddenWith(by, X_WB) > most;
     const bool touches =
         !Apart(PlanOf(by, X_WB), PlanOf(other.thing, other.X_WB), config_.arrangement.gap_m);
-    const bool hides = alone.HiddenWith(other.thing, other.X_WB) > 0;
+    const bool hides = target.fine.HiddenWith(other.thing, other.X_WB) > 0;
     if (hidden || touches || hides) names.push_back(other.thing.name());
   }
   return names;
 }
 
-std::optional<TablePlan::InFront> TablePlan::FindInFront(const Standing& target, const Thing& by,
+std::optional<TablePlan::InFront> TablePlan::FindInFront(const Standing& standing, const Thing& by,
                                                          double fraction, double first_side) const {
-  constexpr double kStep_m = 0.01, kFarthest_m = 0.5;
+  constexpr double kStep_m = 0.015, kFarthest_m = 0.5;
+  const Thing& thing = standing.thing;
+  const Pose& X_WT = standing.X_WB;
+  const Alone target{thing,
+                     X_WT,
+                     {thing, X_WT, viewpoint_W_, kCoarseGrid},
+                     {thing, X_WT, viewpoint_W_, kFineGrid}};
   std::optional<InFront> best;
   for (double nearer_m = 0.05; nearer_m < kFarthest_m; nearer_m += kStep_m) {
     for (const double side : {first_side, -first_side}) {
@@ -206,7 +210,7 @@ std::optional<TablePlan::InFront> TablePlan::FindInFront(const Standing& target,
 }
 
 void TablePlan::Occlude(const OcclusionConfig& occlusion, std::uint64_t seed) {
-  constexpr int kMostMoves = 40;
+  constexpr int kMostMoves = 12;
   RandomStream random(seed, "tabletop.occlusion");
   const Thing by = Take(occlusion.by).thing;
   std::optional<InFront> place;

@@ -49,6 +49,13 @@ class TablePlan {
   const Eigen::Vector3d& centre_W() const { return centre_W_; }
 
  private:
+  /// A target as if nothing else were on the table.
+  struct Alone {
+    const Thing& thing;
+    const hardware::Pose& X_WB;
+    Silhouette coarse;
+    Silhouette fine;
+  };
   struct InFront {
     hardware::Pose X_WB;
     std::vector<std::string> in_the_way;
@@ -63,11 +70,11 @@ class TablePlan {
   void Put(const Thing& thing, bool is_object, const hardware::Pose& X_WB);
   Standing Take(const std::string& name);
   void Refresh();
-  std::optional<InFront> FindInFront(const Standing& target, const Thing& by, double fraction,
+  std::optional<InFront> FindInFront(const Standing& standing, const Thing& by, double fraction,
                                      double first_side) const;
-  std::optional<hardware::Pose> HideAt(const Standing& target, const Thing& by, double fraction,
+  std::optional<hardware::Pose> HideAt(const Alone& target, const Thing& by, double fraction,
                                        double nearer_m, double side) const;
-  std::vector<std::string> InTheWay(const Standing& target, const Thing& by,
+  std::vector<std::string> InTheWay(const Alone& target, const Thing& by,
                                     const hardware::Pose& X_WB) const;
 
   const World& world_;

@@ -85,6 +85,7 @@ class Heap {
   Vec3f Colour(double x, double y, const Vec3f& ground) const {
     for (auto piece = pieces_.rbegin(); piece != pieces_.rend(); ++piece) {
       const double dx = x - piece->x_m, dy = y - piece->y_m;
+      if (dx * dx + dy * dy > 2 * piece->length_m * piece->length_m) continue;
       const double along = std::abs(dx * piece->cos + dy * piece->sin) / piece->length_m;
       const double across = std::abs(dy * piece->cos - dx * piece->sin) / piece->width_m;
       const double reach = motif_ == 0 ? std::max(along, across) : std::hypot(along, across);

@@ -134,8 +134,10 @@ std::vector<TexturePicture> PaintPictures(const mjModel& model, std::uint64_t se
   return pictures;
 }
 
-void PaintTextures(mjModel& model, std::uint64_t seed) {
+void PaintTextures(mjModel& model, std::uint64_t seed,
+                   const std::function<bool(int texture)>& wanted) {
   for (const Declared& declared : DeclaredTextures(model)) {
+    if (wanted && !wanted(declared.texture)) continue;
     const std::vector<TexturePicture> pictures = PaintDeclared(model, declared, seed);
     for (int face = 0; face < static_cast<int>(pictures.size()); ++face) {
       const cv::Mat& bgr = pictures[face].bgr;

@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include <cstdint>
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
@@ -26,7 +27,10 @@ std::vector<TexturePicture> PaintPictures(const mjModel& model, std::uint64_t se
 
 /// Paints the scene's recipes into the model's texture data, from where a renderer uploads them
 /// when it is created. Each texture has its own random stream.
+/// @param wanted by MuJoCo's texture id: those to paint, where nobody will see the others; all when
+///        empty
 /// @throws hardware::ConfigError as PaintPictures does
-void PaintTextures(mjModel& model, std::uint64_t seed);
+void PaintTextures(mjModel& model, std::uint64_t seed,
+                   const std::function<bool(int texture)>& wanted = {});
 
 }  // namespace horopter::sim
