@@ -38,7 +38,7 @@ PitchRange NaoPitchRange(double yaw_rad) {
 }
 
 hardware::HeadLimits NaoHeadLimits() {
-  constexpr double kAcceleration_rad_s2 = 80;
+  constexpr double kAcceleration_rad_s2 = 3000 * kDegree;
   const hardware::AxisLimits yaw{-2.08567, 2.08567, 8.268, kAcceleration_rad_s2};
   const hardware::AxisLimits pitch{-0.671952, 0.514872, 7.194, kAcceleration_rad_s2};
   return {yaw, pitch, {}, {}, {}, {}};
