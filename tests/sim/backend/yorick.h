@@ -10,12 +10,12 @@
 
 namespace horopter::sim {
 
-/// Limits of the Yorick head, as the scene's head file documents them.
+/// Limits of the Yorick head, as scenes/yorick/robot.yaml has them.
 inline hardware::HeadLimits YorickLimits() {
   constexpr double d = M_PI / 180;
   const hardware::AxisLimits none;
-  return {hardware::AxisLimits{-90 * d, 90 * d, 430 * d, 5000 * d},
-          hardware::AxisLimits{-40 * d, 40 * d, 430 * d, 8000 * d},
+  return {hardware::AxisLimits{-90 * d, 90 * d, 430 * d, 20000 * d},
+          hardware::AxisLimits{-40 * d, 40 * d, 540 * d, 20000 * d},
           hardware::AxisLimits{-45 * d, 0, 540 * d, 38000 * d},
           none,
           hardware::AxisLimits{0, 45 * d, 540 * d, 38000 * d},
