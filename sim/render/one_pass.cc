@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/render/look_along.h"
+#include "sim/render/view_volume.h"
 
 namespace horopter::sim {
 namespace {
@@ -72,10 +73,13 @@ std::string OnePass::CannotDraw(const mjvScene& scene) {
   return "";
 }
 
-OnePass::Order OnePass::Sort(const mjvScene& scene) const {
+OnePass::Order OnePass::Sort(const mjvScene& scene, cv::Size size) const {
+  const ViewVolume seen(scene.camera[0],
+                        static_cast<float>(size.width) / static_cast<float>(size.height));
   std::vector<std::pair<float, int>> opaque, transparent;
   for (int i = 0; i < scene.ngeom; ++i) {
     const mjvGeom& geom = scene.geoms[i];
+    if (seen.Misses(geom)) continue;
     auto& group = IsTransparent(scene, geom) ? transparent : opaque;
     group.emplace_back(NearestPoint(scene, geom), i);
   }
@@ -317,7 +321,7 @@ void OnePass::DrawTransparent(const mjvScene& scene, const std::vector<int>& geo
 
 void OnePass::Draw(const mjvScene& scene, cv::Size size, bool colours) {
   const bool many = scene.ngeom > kLowNumbers;
-  const Order order = Sort(scene);
+  const Order order = Sort(scene, size);
   if (colours) UpdateShadows(scene);
   SetState();
   SetView(scene, size);

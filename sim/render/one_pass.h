@@ -52,7 +52,8 @@ class OnePass {
     std::vector<int> transparent;  // front to back
   };
 
-  Order Sort(const mjvScene& scene) const;
+  /// Those that may be seen.
+  Order Sort(const mjvScene& scene, cv::Size size) const;
   /// All that the fixed pipeline may have been left in.
   void SetState() const;
   void SetView(const mjvScene& scene, cv::Size size);
