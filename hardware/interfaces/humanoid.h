@@ -15,7 +15,8 @@ namespace horopter::hardware {
 ///   odometry states at the call. Both return at once and replace what was commanded before; the
 ///   gait takes a command up with its next step. A velocity beyond the robot's maximum is scaled
 ///   down in all components together, so that the path's shape is kept.
-/// - MoveTo() ends standing at the target by the odometry, within a millimetre and a milliradian.
+/// - MoveTo() ends standing at the target by the odometry, within a millimetre and a milliradian. A
+///   robot that meets something on its way may end it anywhere; the odometry says where.
 /// - Stop() ends walking with the fewest steps, at the latest after max_stop_time, and leaves the
 ///   robot standing; so does a Move() of zero. It never takes the joints' stiffness away: a robot
 ///   that stands falls without it. Stop() of a standing robot does nothing and succeeds.

@@ -67,13 +67,13 @@ NaoPlant::NaoPlant(World& world, const NaoPlantConfig& config)
       config_(config),
       servos_(world),
       gait_(config.gait, config.seed, world.step()),
+      base_(FreeBase(world)),
       weld_(world.Id(mjOBJ_EQUALITY, "walker")),
       walker_(Walker(world)),
       neck_pan_index_(world.model().jnt_qposadr[world.Id(mjOBJ_JOINT, "neck_pan")]),
       neck_pan_dof_(world.model().jnt_dofadr[world.Id(mjOBJ_JOINT, "neck_pan")]),
       neck_tilt_actuator_(world.Id(mjOBJ_ACTUATOR, "neck_tilt")),
       neck_lag_s_(servos_.Lag("HeadPitch")) {
-  FreeBase(world);
   for (const Eye side : hardware::kBothEyes) {
     const int joint = world.Id(mjOBJ_JOINT, Name(side, "ShoulderPitch"));
     shoulder_[side] = world.data().qpos[world.model().jnt_qposadr[joint]];
@@ -88,6 +88,7 @@ void NaoPlant::Update() {
     gait_.StandAt(TruePose());
   } else {
     gait_.Advance();
+    if (carried_ && Blocked()) gait_.Recoil();
     if (gait_.walking()) Carry();
   }
   SwingArms();
@@ -115,6 +116,24 @@ void NaoPlant::Carry() {
   Eigen::Map<Vector3d>{data.mocap_pos + 3 * walker_} = X_WB.translation();
   Eigen::Map<Eigen::Vector4d>{data.mocap_quat + 4 * walker_} << q.w(), q.x(), q.y(), q.z();
   PoseLegs(X_WP);
+}
+
+bool NaoPlant::Blocked() const {
+  constexpr double kDeepest_m = 0.006, kFarthest_m = 0.02;
+  for (const Eye side : hardware::kBothEyes) {
+    const Pose X_WA = gait_.X_WF(side) * Translated(kAnkleX_m, 0, NaoLeg::kFootHeight_m);
+    const Pose X_WF = world_.X_WBody(side == Eye::kLeft ? "l_foot" : "r_foot");
+    if ((X_WF.translation() - X_WA.translation()).norm() > kFarthest_m) return true;
+  }
+  const mjModel& model = world_.model();
+  const mjData& data = world_.data();
+  for (int i = 0; i < data.ncon; ++i) {
+    const mjContact& contact = data.contact[i];
+    const bool robot = model.body_rootid[model.geom_bodyid[contact.geom1]] == base_ ||
+                       model.body_rootid[model.geom_bodyid[contact.geom2]] == base_;
+    if (robot && contact.dist < -kDeepest_m) return true;
+  }
+  return false;
 }
 
 void NaoPlant::LetGo() {

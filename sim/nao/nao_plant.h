@@ -22,8 +22,9 @@ struct NaoPlantConfig {
 /// falls. Walking is not balanced. A PlanarGait says where the base and the feet are; a weld to the
 /// mocap body "walker" carries the base there, sway included, and the legs follow by inverse
 /// kinematics, so that the feet stand where they seem to stand. The weld is let go when the robot
-/// stands again. A carried robot does not yield: what it walks into is pushed against, and the
-/// contacts say so.
+/// stands again. The weld is stronger than what is in the way: once a part of the robot is pressed
+/// 6 mm into it, the robot gives the walk up where it is, short of its target, and its legs are on
+/// their own again.
 ///
 /// The scene's bodies base (free) and walker, the weld "walker" and the joints are those of
 /// scenes/nao/nao.xml.
@@ -63,6 +64,8 @@ class NaoPlant {
 
  private:
   void Carry();
+  /// Whether something keeps the carried robot from where it should be.
+  bool Blocked() const;
   void LetGo();
   void PoseLegs(const hardware::Pose& X_WB);
   void SwingArms();
@@ -72,6 +75,7 @@ class NaoPlant {
   NaoPlantConfig config_;
   NaoJointServos servos_;
   PlanarGait gait_;
+  int base_;  ///< body id
   int weld_;
   int walker_;          ///< mocap id
   int neck_pan_index_;  ///< in qpos

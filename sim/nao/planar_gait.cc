@@ -103,6 +103,7 @@ PlanarGait::PlanarGait(const NaoGaitConfig& config, std::uint64_t seed, hardware
 void PlanarGait::Move(const hardware::WalkVelocity& velocity) {
   const Vector3d wanted = ToVector(velocity);
   const Vector3d most = ToVector(config_.MaxVelocity());
+  recoiling_ = false;
   wanted_ = wanted / std::max(1.0, wanted.cwiseAbs().cwiseQuotient(most).maxCoeff());
   goal_.reset();
   plan_.reset();
@@ -110,6 +111,7 @@ void PlanarGait::Move(const hardware::WalkVelocity& velocity) {
 }
 
 void PlanarGait::MoveTo(const Pose2& target) {
+  recoiling_ = false;
   goal_ = Compose(odometry_, target);
   plan_.reset();
   wanted_.setZero();
@@ -136,7 +138,21 @@ void PlanarGait::Advance() {
   first_step_ = false;
   if (still_steps_ < 2) return;
   still_steps_ = 0;
+  recoiling_ = false;
   walking_ = goal_.has_value() || !wanted_.isZero(0);
+}
+
+void PlanarGait::Recoil() {
+  if (!walking_ || recoiling_) return;
+  constexpr double kBack_m = 0.04, kBack_rad = 0.15;
+  const Velocity v = from_ + (to_ - from_) * phase();
+  const double time_s = std::min(kBack_m / std::max(v.head<2>().norm(), 1e-6),
+                                 kBack_rad / std::max(std::abs(v.z()), 1e-6));
+  MoveTo(Exp(-v * time_s));
+  recoiling_ = true;
+  from_ = to_ = Velocity::Zero();
+  step_turn_rad_s_ = 0;
+  swing_to_ = Home(swing_);
 }
 
 void PlanarGait::BeginStep() {

@@ -63,6 +63,9 @@ class PlanarGait {
   void StandAt(const hardware::Pose2& X_WB);
 
   void Advance();
+  /// Something is in the way: the body stops at once, what was commanded is forgotten, and the
+  /// robot steps back the way it came by a few centimetres. Does nothing while it steps back.
+  void Recoil();
 
   /// Pose of the base, sway included, and of the feet's soles under the ankles, in W, on z = 0.
   hardware::Pose X_WB() const;
@@ -103,6 +106,7 @@ class PlanarGait {
   std::optional<Plan> plan_;
 
   bool walking_ = false;
+  bool recoiling_ = false;
   bool first_step_ = false;
   int tick_ = 0;
   int still_steps_ = 0;  ///< steps begun one after the other with nothing left to walk for

@@ -226,6 +226,29 @@ TEST_F(NaoPlantTest, JointsKeepTheirSpeedLimitsWhileWalking) {
   }
 }
 
+TEST_F(NaoPlantTest, WalkingIntoSomethingItStepsBackStandsAndCanGoElsewhere) {
+  hardware::Pose X_WBox = hardware::Pose::Identity();
+  X_WBox.translation().x() = 0.6;
+  world_.PlaceBody("box", X_WBox);
+  plant_.MoveTo({0.6, 0, 0});
+  double deepest = 0;
+  for (int i = 0; i < 10000 && plant_.walking(); ++i) {
+    Step();
+    for (const Contact& c : world_.Contacts()) deepest = std::min(deepest, c.distance_m);
+  }
+  ASSERT_FALSE(plant_.walking());
+  Pass(1);
+  EXPECT_TRUE(plant_.upright());
+  EXPECT_LT(Tilt(), 0.02);
+  EXPECT_GT(deepest, -0.012);
+  EXPECT_LT(plant_.TruePose().x_m, 0.45 - 0.1) << "its toes stop at the box's near side";
+  EXPECT_LT(plant_.Odometry().x_m, 0.5) << "it knows that it did not arrive";
+  const Pose2 before = plant_.TruePose();
+  plant_.MoveTo({-0.1, 0, 0});
+  Walk();
+  EXPECT_NEAR(before.x_m - plant_.TruePose().x_m, 0.1, 0.01);
+}
+
 TEST(NaoPlant, RefusesScenesWithoutANao) {
   World koala(std::string(HOROPTER_SOURCE_DIR) + "/scenes/koala/room.xml");
   EXPECT_THROW(NaoPlant{koala}, SceneError);

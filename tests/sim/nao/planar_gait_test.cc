@@ -167,6 +167,21 @@ TEST(PlanarGait, BodyMovesWithoutJumps) {
   }
 }
 
+TEST(PlanarGait, RecoilsTheWayItCameAndForgetsItsTarget) {
+  PlanarGait gait(WithoutSlip(), 1, kTick);
+  gait.MoveTo({1, 0, 0});
+  for (int i = 0; i < 1000; ++i) gait.Advance();
+  const Pose2 hit = gait.odometry();
+  gait.Recoil();
+  for (int i = 0; i < 100; ++i) {
+    gait.Advance();
+    gait.Recoil();
+  }
+  Walk(gait);
+  ExpectPose(gait.odometry(), {hit.x_m - 0.04, 0, 0}, 1e-6, 1e-6);
+  EXPECT_TRUE(gait.X_WB().isApprox(hardware::ToPose(gait.odometry()), 1e-6));
+}
+
 TEST(PlanarGait, SlipIsSmallSeededAndUnknownToTheOdometry) {
   std::set<double> ends;
   for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
