@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <opencv2/core.hpp>
 
 #ifdef __SSE2__
@@ -142,10 +143,22 @@ void BilinearRow::Add(const cv::Mat3b& image, const Eigen::Matrix3f& H, const fl
 
 void BilinearRow::Store(std::uint8_t* row) const {
   const float scale = 1.0F / (static_cast<float>(kOne * kOne) * static_cast<float>(count_));
-  for (int i = 0; i < width_; ++i) {
+  int i = 0;
+#ifdef __SSE2__
+  // Four bytes are written where three are meant; the next pixel overwrites the last one.
+  for (; i + 1 < width_; ++i) {
+    const __m128i sum = _mm_loadu_si128(reinterpret_cast<const __m128i*>(&sum_[4 * i]));
+    const __m128 mean = _mm_mul_ps(_mm_cvtepi32_ps(sum), _mm_set1_ps(scale));
+    const __m128i grey = _mm_cvttps_epi32(_mm_add_ps(mean, _mm_set1_ps(0.5F)));
+    const __m128i words = _mm_packs_epi32(grey, grey);
+    const int bytes = _mm_cvtsi128_si32(_mm_packus_epi16(words, words));
+    std::memcpy(row + 3 * i, &bytes, sizeof bytes);
+  }
+#endif
+  for (; i < width_; ++i) {
     for (int k = 0; k < 3; ++k) {
-      row[3 * i + k] = static_cast<std::uint8_t>(
-          static_cast<int>(static_cast<float>(sum_[4 * i + k]) * scale + 0.5F));
+      const float mean = static_cast<float>(sum_[4 * i + k]) * scale;
+      row[3 * i + k] = static_cast<std::uint8_t>(static_cast<int>(mean + 0.5F));
     }
   }
 }
