@@ -53,6 +53,7 @@ inline RunSummary ExampleSummary() {
   run.file = "scenarios/koala/first_waypoint.yaml";
   run.seed = 18446744073709551615u;
   run.backend = "sim";
+  run.faults = {"swapped_pair: from_s 0, until_s 3600"};
   run.outcome = Outcome::kFailed;
   run.expectations = {
       {"reached within 0.15 m before 60 s", 0.1, 0.15, "m", ExpectationOutcome::kPassed, "reached",

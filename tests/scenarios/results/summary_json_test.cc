@@ -34,6 +34,7 @@ TEST(RunSummaryText, RoundTripsEveryField) {
   EXPECT_EQ(back[0].versions, run.versions);
   EXPECT_EQ(back[0].timing_ms.at("physics").n, 15000);
   EXPECT_EQ(back[0].wall_s, run.wall_s);
+  EXPECT_EQ(back[0].faults, run.faults);
 }
 
 TEST(RunSummaryText, HasTheAgreedKeysInTheAgreedForm) {
