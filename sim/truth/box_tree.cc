@@ -17,7 +17,8 @@ Ray::Ray(const Eigen::Vector3d& from, const Eigen::Vector3d& along)
   }
 }
 
-BoxTree::BoxTree(const std::vector<Eigen::AlignedBox3d>& boxes) : items_(boxes.size()) {
+BoxTree::BoxTree(const std::vector<Eigen::AlignedBox3d>& boxes, int leaf_items)
+    : leaf_items_(leaf_items), items_(boxes.size()) {
   if (boxes.empty()) return;
   std::iota(items_.begin(), items_.end(), 0);
   nodes_.emplace_back();
@@ -33,7 +34,7 @@ void BoxTree::Build(int node, int first, int count, const std::vector<Eigen::Ali
   }
   Node& here = nodes_[static_cast<std::size_t>(node)];
   here.box = box;
-  if (count <= kLeafItems) {
+  if (count <= leaf_items_) {
     here.first = first;
     here.count = count;
     return;

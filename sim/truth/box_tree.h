@@ -22,7 +22,9 @@ class BoxTree {
  public:
   /// Splits at the median of the longest axis; ties by index, so that the tree is a function of the
   /// boxes alone.
-  explicit BoxTree(const std::vector<Eigen::AlignedBox3d>& boxes);
+  /// @param leaf_items up to as many boxes share a leaf and are not tested one by one: 1 where a
+  ///        visit is dear, several where it costs no more than a test
+  BoxTree(const std::vector<Eigen::AlignedBox3d>& boxes, int leaf_items);
 
   /// Calls `visit(item, t_max)` for every box that the ray meets in [t_min, t_max], nearer ones
   /// roughly first; what it returns is the new t_max.
@@ -36,12 +38,12 @@ class BoxTree {
     int count = 0;  ///< items of a leaf; 0 = fork
     int axis = 0;   ///< of a fork's split
   };
-  static constexpr int kLeafItems = 4;
   static constexpr int kDepthLimit = 64;  ///< a tree halved at the median is never that deep
 
   void Build(int node, int first, int count, const std::vector<Eigen::AlignedBox3d>& boxes);
   static bool Meets(const Ray& ray, const Eigen::AlignedBox3d& box, double t_min, double t_max);
 
+  int leaf_items_;
   std::vector<Node> nodes_;
   std::vector<int> items_;
 };

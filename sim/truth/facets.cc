@@ -10,6 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr int kLeafFacets = 2;
+
 /// Facets overlap by this part of their size, so that no ray slips between two.
 constexpr double kOverlap = 1e-10;
 
@@ -29,7 +31,7 @@ std::vector<Eigen::AlignedBox3d> BoxesOf(const std::vector<Triangle>& triangles)
 }  // namespace
 
 Facets::Facets(const std::vector<Triangle>& triangles, bool two_sided)
-    : two_sided_(two_sided), tree_(BoxesOf(triangles)) {
+    : two_sided_(two_sided), tree_(BoxesOf(triangles), kLeafFacets) {
   for (const Triangle& triangle : triangles) {
     facets_.push_back({triangle.a, triangle.b - triangle.a, triangle.c - triangle.a});
     bounds_.extend(BoxOf(triangle));

@@ -60,7 +60,7 @@ SceneSnapshot::SceneSnapshot(std::shared_ptr<const SceneShapes> shapes, const mj
     : shapes_(std::move(shapes)),
       X_WG_(GeomPoses(shapes_->model(), data)),
       drawn_(DrawnGeoms(*shapes_)),
-      tree_(BoxesInWorld(*shapes_, X_WG_, drawn_)) {}
+      tree_(BoxesInWorld(*shapes_, X_WG_, drawn_), 1) {}
 
 std::optional<SurfaceHit> SceneSnapshot::HitOf(int geom, const Ray& ray_W, double t_min,
                                                double t_max) const {

@@ -48,7 +48,7 @@ TEST(BoxTree, VisitsEveryBoxThatTheRayMeets) {
   int met = 0;
   for (const int count : {1, 3, 4, 5, 17, 200}) {
     const auto boxes = RandomBoxes(count, &random);
-    const BoxTree tree(boxes);
+    const BoxTree tree(boxes, count % 5 + 1);
     for (int i = 0; i < 1000; ++i) {
       const Ray ray({place(random), place(random), place(random)},
                     {place(random), place(random), place(random)});
@@ -66,28 +66,30 @@ TEST(BoxTree, VisitsEveryBoxThatTheRayMeets) {
 TEST(BoxTree, LeavesOutWhatIsFarFromTheRay) {
   std::mt19937 random(6);
   const auto boxes = RandomBoxes(1000, &random);
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes, 4);
   EXPECT_LT(Visited(tree, Ray({-2, 0, 0}, {1, 0.1, 0.05}), 10).size(), 200u);
 }
 
 TEST(BoxTree, FollowsAnAxisExactly) {
-  const BoxTree tree(
-      {{Vector3d(1, -1, -1), Vector3d(2, 1, 1)}, {Vector3d(-2, 3, 0), Vector3d(2, 4, 1)}});
-  EXPECT_EQ(Visited(tree, Ray({0, 0, 0}, {1, 0, 0}), 10), (std::set<int>{0, 1}))
-      << "both are in the one leaf whose box the ray meets";
-  EXPECT_TRUE(Visited(tree, Ray({0, 0, 5}, {1, 0, 0}), 10).empty());
-  EXPECT_TRUE(Visited(tree, Ray({0, 0, 0}, {-1, 0, 0}), 0.5).size() == 2u ||
-              Visited(tree, Ray({0, 0, 0}, {-1, 0, 0}), 0.5).empty());
+  const std::vector<AlignedBox3d> boxes = {{Vector3d(1, -1, -1), Vector3d(2, 1, 1)},
+                                           {Vector3d(-2, 3, 0), Vector3d(2, 4, 1)}};
+  const BoxTree single(boxes, 1), shared(boxes, 2);
+  EXPECT_EQ(Visited(single, Ray({0, 0, 0}, {1, 0, 0}), 10), (std::set<int>{0}));
+  EXPECT_EQ(Visited(shared, Ray({0, 0, 0}, {1, 0, 0}), 10), (std::set<int>{0, 1}))
+      << "a leaf is visited as a whole";
+  EXPECT_TRUE(Visited(single, Ray({0, 0, 5}, {1, 0, 0}), 10).empty());
+  EXPECT_TRUE(Visited(single, Ray({0, 0, 0}, {1, 0, 0}), 0.5).empty()) << "it ends before";
+  EXPECT_TRUE(Visited(single, Ray({0, 0, 0}, {-1, 0, 0}), 10).empty()) << "it goes away";
 }
 
 TEST(BoxTree, OfNothingVisitsNothing) {
-  EXPECT_TRUE(Visited(BoxTree({}), Ray({0, 0, 0}, {1, 0, 0}), 10).empty());
+  EXPECT_TRUE(Visited(BoxTree({}, 1), Ray({0, 0, 0}, {1, 0, 0}), 10).empty());
 }
 
 TEST(BoxTree, StopsAtTheLimitThatAVisitSets) {
   std::vector<AlignedBox3d> boxes;
   for (int i = 0; i < 100; ++i) boxes.emplace_back(Vector3d(i, -1, -1), Vector3d(i + 0.5, 1, 1));
-  const BoxTree tree(boxes);
+  const BoxTree tree(boxes, 4);
   std::set<int> visited;
   tree.Traverse(Ray({-1, 0, 0}, {1, 0, 0}), 0, 1000, [&visited](int item, double limit) {
     visited.insert(item);
