@@ -24,6 +24,7 @@ constexpr const char* kFooter =
     "  horopter run scenarios/ --seeds 1-5\n"
     "  horopter validate scenarios/koala/first_waypoint.yaml\n"
     "  horopter compare results/before results/after\n"
+    "  horopter render koala/room.xml --random 20 --truth --out dataset\n"
     "\nExit codes: 0 all passed; 1 an expectation failed, or a regression; 2 bad input or usage;\n"
     "3 infrastructure (no GL, disk full); 4 hardware unavailable.";
 
@@ -99,7 +100,7 @@ int RunCommandLine(int argc, const char* const* argv) {
   app.require_subcommand(0, 1);
   const std::vector<Command> commands = {
       AddRunCommand(app),    AddListCommand(app),   AddValidateCommand(app), AddCompareCommand(app),
-      AddDoctorCommand(app), AddSchemaCommand(app), AddTimingCommand(app)};
+      AddRenderCommand(app), AddDoctorCommand(app), AddSchemaCommand(app),   AddTimingCommand(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

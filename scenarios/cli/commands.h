@@ -21,6 +21,7 @@ Command AddListCommand(CLI::App& parent);
 Command AddValidateCommand(CLI::App& parent);
 Command AddCompareCommand(CLI::App& parent);
 Command AddDoctorCommand(CLI::App& parent);
+Command AddRenderCommand(CLI::App& parent);
 Command AddSchemaCommand(CLI::App& parent);
 Command AddTimingCommand(CLI::App& parent);
 

@@ -45,16 +45,6 @@ std::vector<std::string> TakeRecord(std::string_view* text, const std::string& n
 
 }  // namespace
 
-std::string CsvField(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
 CsvTable::CsvTable(std::string_view text, std::string_view header, std::string name)
     : name_(std::move(name)) {
   if (text.substr(0, header.size()) != header || text.size() <= header.size() ||

@@ -8,9 +8,6 @@
 
 namespace horopter::scenarios {
 
-/// A field as RFC 4180 has it: quoted when it holds a comma, a quote or a line end.
-std::string CsvField(std::string_view text);
-
 /// The rows of a CSV table below its header, checked as it is read.
 class CsvTable {
  public:

@@ -12,6 +12,7 @@
 #include "scenarios/dataset/frame_files.h"
 #include "scenarios/results/files.h"
 #include "scenarios/results/results_error.h"
+#include "scenarios/results/text.h"
 
 namespace horopter::scenarios {
 namespace fs = std::filesystem;

@@ -8,6 +8,7 @@
 
 #include "scenarios/dataset/csv.h"
 #include "scenarios/dataset/format_error.h"
+#include "scenarios/results/text.h"
 
 namespace horopter::scenarios {
 namespace {

@@ -30,8 +30,8 @@ struct CameraPairDescription {
   int width_px = 0;  ///< native size
   int height_px = 0;
   double horizontal_fov_deg = 0;
-  /// Where the pair's optical centres are, from those of the head's geometry: up along the eyes' pan
-  /// axes, ahead along the optical axes.
+  /// Where the pair's optical centres are, from those of the head's geometry: up along the eyes'
+  /// pan axes, ahead along the optical axes.
   double above_m = 0;
   double ahead_m = 0;
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "control/kinematics/fixate.h"
+#include "control/kinematics/gaze_angles.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -102,17 +103,10 @@ class SaccadeBehaviour final : public HoldGaze {
  public:
   SaccadeBehaviour(const SaccadeStep& step, const BehaviourContext& context)
       : HoldGaze(context, step.hold_s) {
-    const double half_vergence = step.vergence_deg * kRadians / 2;
-    const hardware::PanTilt version{step.pan_deg * kRadians, step.tilt_deg * kRadians};
-    const bool has_neck = context.limits[static_cast<int>(hardware::HeadAxis::kNeckPan)].exists();
-    if (has_neck) {
-      target_.neck = version;
-    } else {
-      target_.left = target_.right = version;
-    }
-    // Converging eyes turn towards each other: the left one to the right, which is negative.
-    target_.left.pan_rad -= half_vergence;
-    target_.right.pan_rad += half_vergence;
+    target_ = control::Turn({{step.pan_deg * kRadians, step.tilt_deg * kRadians},
+                             step.vergence_deg * kRadians},
+                            context.limits)
+                  .angles;
   }
 
  private:

@@ -96,12 +96,5 @@ TEST(StateTables, NameFileLineAndField) {
               HasSubstr("p.csv:2: '1' begins a quaternion that is not of unit length"));
 }
 
-TEST(CsvField, IsQuotedOnlyWhereItMustBe) {
-  EXPECT_EQ(CsvField("geom 12 of table"), "geom 12 of table");
-  EXPECT_EQ(CsvField("a,b"), "\"a,b\"");
-  EXPECT_EQ(CsvField("say \"no\""), "\"say \"\"no\"\"\"");
-  EXPECT_EQ(CsvField(""), "");
-}
-
 }  // namespace
 }  // namespace horopter::scenarios
