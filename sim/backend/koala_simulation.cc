@@ -91,6 +91,10 @@ RenderedView KoalaSimulation::RenderTruth(Eye eye) {
                            {.rgb = false, .depth = true, .ids = true});
 }
 
+void KoalaSimulation::AtCapture(Eye eye, const std::function<void()>& look) {
+  camera_device_->AtCapture(eye, look);
+}
+
 void KoalaSimulation::Step() {
   head_->Update();
   plant_->Update();

@@ -67,8 +67,13 @@ class KoalaSimulation {
   const World& world() const { return *world_; }
   const hardware::CameraModel& camera_model() const { return config_.camera; }
 
-  /// What one eye would see now without noise: depth and ids.
+  /// What one eye would see now without noise: depth and ids. For a camera without lens distortion
+  /// (sim/truth knows the others). @throws hardware::ConfigError
   RenderedView RenderTruth(hardware::Eye eye);
+
+  /// Runs `look` with the world as it was when an eye's newest grabbed image was taken (before the
+  /// first Grab(): as it is). The same as now unless the profile has latency, a shutter or skew.
+  void AtCapture(hardware::Eye eye, const std::function<void()>& look);
 
   const hardware::Pose& X_WO() const { return X_WO_; }
 

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <utility>
+#include "hardware/types/field_checker.h"
 
 namespace horopter::sim {
 namespace {
@@ -50,22 +49,6 @@ CameraProfile SonyXc999() {
   return p;
 }
 
-/// Collects what does not hold.
-class Checks {
- public:
-  void Require(bool good, const char* field, double value, const char* constraint) {
-    if (!good)
-      errors_.push_back({std::string("camera.") + field, fmt::format("{:g}", value), constraint});
-  }
-  void Between(const char* field, double value, double low, double high, const char* constraint) {
-    Require(value >= low && value <= high, field, value, constraint);
-  }
-  std::vector<hardware::FieldError> Take() { return std::move(errors_); }
-
- private:
-  std::vector<hardware::FieldError> errors_;
-};
-
 }  // namespace
 
 hardware::CameraModel LensProfile::Model(int width, int height, double horizontal_fov_rad) const {
@@ -78,28 +61,30 @@ hardware::CameraModel LensProfile::Model(int width, int height, double horizonta
 }
 
 std::vector<hardware::FieldError> CameraProfile::Validate() const {
-  Checks checks;
-  checks.Between("lens.pixel_aspect", lens.pixel_aspect, 0.2, 5, "must be from 0.2 to 5");
-  checks.Between("lens.blur_px", lens.blur_px, 0, 10, "must be from 0 to 10");
-  checks.Between("lens.vignetting", lens.vignetting, 0, 1, "must be from 0 to 1");
-  checks.Between("exposure.time_s", exposure.time_s, 0, 0.2, "must be from 0 to 0.2");
-  checks.Between("exposure.gain", exposure.gain, 0.01, 100, "must be from 0.01 to 100");
-  checks.Between("noise.read_noise_dn", noise.read_noise_dn, 0, 255, "must be from 0 to 255");
-  checks.Between("noise.shot_gain_dn", noise.shot_gain_dn, 0, 255, "must be from 0 to 255");
-  checks.Between("noise.bits", noise.bits, 1, 8, "must be from 1 to 8");
-  checks.Between("shutter.readout_s", shutter.readout_s, 0, 0.2, "must be from 0 to 0.2");
-  checks.Between("timing.rate_hz", timing.rate_hz, 0, 1000, "must be from 0 to 1000");
-  checks.Between("timing.latency_s", timing.latency_s, 0, 2, "must be from 0 to 2");
-  checks.Between("timing.drop_probability", timing.drop_probability, 0, 0.9,
-                 "must be from 0 to 0.9");
-  checks.Between("timing.repeat_probability", timing.repeat_probability, 0, 0.9,
-                 "must be from 0 to 0.9");
+  hardware::FieldChecker checks("camera.");
+  const auto between = [&checks](const char* field, double value, double low, double high,
+                                 const char* rule) {
+    checks.Require(value >= low && value <= high, field, value, rule);
+  };
+  between("lens.pixel_aspect", lens.pixel_aspect, 0.2, 5, "must be from 0.2 to 5");
+  between("lens.blur_px", lens.blur_px, 0, 10, "must be from 0 to 10");
+  between("lens.vignetting", lens.vignetting, 0, 1, "must be from 0 to 1");
+  between("exposure.time_s", exposure.time_s, 0, 0.2, "must be from 0 to 0.2");
+  between("exposure.gain", exposure.gain, 0.01, 100, "must be from 0.01 to 100");
+  between("noise.read_noise_dn", noise.read_noise_dn, 0, 255, "must be from 0 to 255");
+  between("noise.shot_gain_dn", noise.shot_gain_dn, 0, 255, "must be from 0 to 255");
+  between("noise.bits", noise.bits, 1, 8, "must be from 1 to 8");
+  between("shutter.readout_s", shutter.readout_s, 0, 0.2, "must be from 0 to 0.2");
+  between("timing.rate_hz", timing.rate_hz, 0, 1000, "must be from 0 to 1000");
+  between("timing.latency_s", timing.latency_s, 0, 2, "must be from 0 to 2");
+  between("timing.drop_probability", timing.drop_probability, 0, 0.9, "must be from 0 to 0.9");
+  between("timing.repeat_probability", timing.repeat_probability, 0, 0.9, "must be from 0 to 0.9");
   const double period_s = timing.rate_hz > 0 ? 1 / timing.rate_hz : 0;
-  checks.Between("timing.capture_jitter_s", timing.capture_jitter_s, 0, period_s / 4,
-                 "must be from 0 to a quarter of the frame period");
-  checks.Between("timing.delivery_jitter_s", timing.delivery_jitter_s, 0, period_s / 2,
-                 "must be from 0 to half the frame period");
-  checks.Between("timing.skew_s", timing.skew_s, -0.1, 0.1, "must be from -0.1 to 0.1");
+  between("timing.capture_jitter_s", timing.capture_jitter_s, 0, period_s / 4,
+          "must be from 0 to a quarter of the frame period");
+  between("timing.delivery_jitter_s", timing.delivery_jitter_s, 0, period_s / 2,
+          "must be from 0 to half the frame period");
+  between("timing.skew_s", timing.skew_s, -0.1, 0.1, "must be from -0.1 to 0.1");
   checks.Require(
       timing.rate_hz > 0 || (timing.drop_probability == 0 && timing.repeat_probability == 0),
       "timing.rate_hz", timing.rate_hz, "must be positive for frames to be dropped or repeated");
