@@ -81,7 +81,10 @@ double WorseEye(double left, double right) {
 }
 
 KoalaTruth::KoalaTruth(sim::KoalaSimulation& simulation, hardware::StageTimes& times)
-    : simulation_(simulation), times_(times), oracle_(OracleOf(simulation.world())) {
+    : simulation_(simulation),
+      times_(times),
+      oracle_(OracleOf(simulation.world())),
+      shapes_(std::make_shared<sim::SceneShapes>(simulation.world().model())) {
   const mjModel& model = simulation.world().model();
   robot_body_ = simulation.world().Id(mjOBJ_BODY, "base");
   for (int geom = 0; geom < model.ngeom; ++geom) {
@@ -126,29 +129,33 @@ double KoalaTruth::FixationErrorDeg(const Eigen::Vector3d& p_OT) {
 
 FrameTruth KoalaTruth::AtCapture() {
   return times_.Measure("truth", [this] {
-    const sim::RenderedView view = simulation_.RenderTruth(hardware::Eye::kLeft);
     FrameTruth truth;
-    truth.depth_m = view.depth;
-    truth.board = BoardPixels(view);
+    simulation_.AtCapture(hardware::Eye::kLeft, [&] {
+      const sim::World& world = simulation_.world();
+      const sim::EyeTruth seen = sim::CaptureEyeTruth(
+          sim::SceneSnapshot(shapes_, world.data()),
+          {world.X_WCamera(ToString(hardware::Eye::kLeft)), simulation_.camera_model()});
+      truth = {seen.depth, BoardPixels(seen)};
+    });
     return truth;
   });
 }
 
-cv::Mat1b KoalaTruth::BoardPixels(const sim::RenderedView& view) const {
+cv::Mat1b KoalaTruth::BoardPixels(const sim::EyeTruth& seen) const {
   const sim::World& world = simulation_.world();
   const int board = mj_name2id(&world.model(), mjOBJ_GEOM, "board");
   const int pattern = mj_name2id(&world.model(), mjOBJ_SITE, "board_pattern");
   if (board < 0 || pattern < 0) return {};
   const hardware::Pose X_WS = sim::PoseFromMujoco(world.data().site_xpos + 3 * pattern,
                                                   world.data().site_xmat + 9 * pattern);
-  const hardware::Pose X_SC = X_WS.inverse() * world.X_WCamera(ToString(hardware::Eye::kLeft));
+  const hardware::Pose X_SC = X_WS.inverse() * seen.view.X_WC;
   const Eigen::Map<const Eigen::Vector3d> half(world.model().site_size + 3 * pattern);
-  cv::Mat1b pixels = cv::Mat1b::zeros(view.ids.size());
+  cv::Mat1b pixels = cv::Mat1b::zeros(seen.ids.size());
   for (int y = 0; y < pixels.rows; ++y) {
     for (int x = 0; x < pixels.cols; ++x) {
-      if (view.ids(y, x) != board) continue;
-      const auto ray_C = simulation_.camera_model().Unproject(Eigen::Vector2d(x, y));
-      const Eigen::Vector3d p_S = X_SC * Eigen::Vector3d(view.depth(y, x) * *ray_C);
+      if (seen.ids(y, x) != board) continue;
+      const auto ray_C = seen.view.camera.Unproject(Eigen::Vector2d(x, y));
+      const Eigen::Vector3d p_S = X_SC * Eigen::Vector3d(seen.depth(y, x) * *ray_C);
       const bool inside = (p_S.cwiseAbs().tail<2>() - half.tail<2>()).maxCoeff() <= 0;
       pixels(y, x) = inside ? 255 : 0;
     }
