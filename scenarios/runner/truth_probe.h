@@ -36,7 +36,7 @@ class TruthProbe {
   /// @param p_OT in the robot's true starting frame
   virtual double FixationErrorDeg(const Eigen::Vector3d& p_OT) = 0;
 
-  /// The truth about a frame grabbed now.
+  /// The truth about the newest grabbed frame, at the instant it was taken.
   virtual FrameTruth AtCapture() = 0;
 
   /// Outlines of what stands in the room, in the robot's true starting frame.
