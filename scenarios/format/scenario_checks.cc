@@ -221,12 +221,7 @@ void CheckSteps(const Scenario& scenario, const RobotDescription& robot, ParseRe
   for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
     const Step& step = scenario.steps[i];
     if (IsBroken(report, i)) continue;
-    if (std::holds_alternative<GotoStep>(step.action)) {
-      at_start = false;
-      if (!robot.wheels) {
-        report.Add(step.mark, "goto: robot '" + robot.name + "' has no wheels; use another robot");
-      }
-    }
+    if (std::holds_alternative<GotoStep>(step.action)) at_start = false;
     if (!at_start) continue;
     const std::string why = WhyNot(step.action, robot);
     if (!why.empty()) report.Add(step.mark, why);
@@ -292,6 +287,12 @@ std::optional<RobotDescription> CheckScenario(const Scenario& scenario, const So
   if (!scenes_dir.empty()) {
     const bool found = CheckScene(scenario, root, scenes_dir, report);
     robot = FindRobot(scenario, root, scenes_dir, report);
+    if (robot && !robot->wheels) {
+      report.Add(MarkOf(report, "robot", root),
+                 "robot '" + scenario.robot +
+                     "' plays no scenarios yet: they need one with wheels; `horopter render` shows "
+                     "its scenes");
+    }
     if (found && robot) CheckSceneContents(scenario, *robot, root, scenes_dir, report);
   }
   if (robot) CheckSteps(scenario, *robot, report);

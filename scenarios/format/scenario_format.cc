@@ -34,8 +34,8 @@ Scenario ParseScenarioText(const std::string& text, const std::string& name,
   ParseReport report;
   ParseFields(root, TableOf(scenario), report);
   const auto robot = CheckScenario(scenario, root.mark, options.scenes_dir, report);
-  if (robot) FillFromRobot(*robot, scenario);
   ThrowIfAny(std::move(report.diagnostics));
+  if (robot) FillFromRobot(*robot, scenario);
   return scenario;
 }
 

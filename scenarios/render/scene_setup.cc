@@ -8,6 +8,16 @@
 
 namespace horopter::scenarios {
 
+namespace {
+
+/// Whether there are objects to put on a table.
+bool IsTabletop(const sim::World& world) {
+  return mj_name2id(&world.model(), mjOBJ_GEOM, "table_top") >= 0 &&
+         !sim::TabletopObjects(world).empty();
+}
+
+}  // namespace
+
 std::unique_ptr<sim::World> LoadScene(const SceneSetup& setup) {
   const std::uint64_t seed = setup.seed.value_or(0);
   std::unique_ptr<sim::World> world;
@@ -20,7 +30,7 @@ std::unique_ptr<sim::World> LoadScene(const SceneSetup& setup) {
     return world;
   }
   world = std::make_unique<sim::World>(setup.scene);
-  if (mj_name2id(&world->model(), mjOBJ_GEOM, "table_top") >= 0) {
+  if (IsTabletop(*world)) {
     sim::TabletopConfig tabletop = setup.tabletop;
     if (!setup.seed) tabletop.arrangement.shuffle = false;
     sim::ArrangeTabletop(*world, tabletop, seed);

@@ -17,7 +17,7 @@ struct SceneSetup {
   std::filesystem::path scene;
   std::optional<std::uint64_t> seed;    ///< none: the scene as it is written down
   std::optional<sim::RoomConfig> room;  ///< obstacles to generate in it (`scene` is put in)
-  sim::TabletopConfig tabletop;         ///< for scenes with a table_top
+  sim::TabletopConfig tabletop;         ///< for scenes with objects to put on a table
 };
 
 /// Loads the scene and varies it by the seed: a generated room when one is asked for, else a

@@ -111,11 +111,12 @@ TEST_F(ScenarioChecks, WhatTheNavigatorCannotDoIsOutOfRange) {
       testing::AllOf(HasSubstr("cruise_speed_m_s = 0.02"), HasSubstr("obstacle_limit_m = 5")));
 }
 
-TEST_F(ScenarioChecks, RobotWithoutWheelsDoesNotDrive) {
+TEST_F(ScenarioChecks, RobotWithoutWheelsPlaysNoScenarioYet) {
   std::string robot = Slurp(HOROPTER_SOURCE_DIR "/scenes/koala/robot.yaml");
   robot.erase(robot.find("wheels:"), robot.find("head:") - robot.find("wheels:"));
   scenes_.Write("koala/robot.yaml", robot);
-  EXPECT_THAT(Faults("goto: {x_m: 1, y_m: 0}"), HasSubstr("has no wheels"));
+  EXPECT_THAT(Faults("wait: {duration_s: 1}", "koala/room.xml", "robot: koala\n"),
+              HasSubstr("s.yaml:2:8: robot 'koala' plays no scenarios yet"));
 }
 
 TEST_F(ScenarioChecks, WhatIsLeftOutIsTheRobots) {
