@@ -28,6 +28,7 @@ struct Distortion {
   double p2 = 0;
   double k3 = 0;
 
+  bool operator==(const Distortion&) const = default;
   bool any() const { return k1 != 0 || k2 != 0 || p1 != 0 || p2 != 0 || k3 != 0; }
 };
 

@@ -12,6 +12,7 @@
 
 #include "scenarios/format/fault_spec.h"
 #include "scenarios/format/source_mark.h"
+#include "sim/camera/camera_profile.h"
 
 namespace horopter::scenarios {
 
@@ -42,7 +43,8 @@ struct CameraSpec {
   int width = 320;
   int height = 240;
   double horizontal_fov_deg = kRobotsOwn;
-  std::string sensor = "webcam_vga";  ///< a profile of sim/camera: ideal, webcam_vga
+  /// What lens, sensor and timing do to a perfect image; a named profile, changed by hand or not.
+  sim::CameraProfile profile = sim::CameraProfile::Named("vga_noise");
 
   bool operator==(const CameraSpec&) const = default;
 };

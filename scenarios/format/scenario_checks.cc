@@ -63,6 +63,13 @@ std::optional<RobotDescription> FindRobot(const Scenario& scenario, const Source
   return std::nullopt;
 }
 
+/// What no single field of the camera's profile shows.
+void CheckProfile(const Scenario& scenario, const SourceMark& root, ParseReport& report) {
+  for (const hardware::FieldError& error : scenario.camera.profile.Validate()) {
+    report.Add(MarkOf(report, error.field, root), error.ToString());
+  }
+}
+
 void CheckMedian(const Scenario& scenario, const SourceMark& root, ParseReport& report) {
   if (scenario.vision.median_px % 2 == 1) return;
   report.Add(MarkOf(report, "vision.median_px", root),
@@ -280,6 +287,7 @@ std::optional<RobotDescription> CheckScenario(const Scenario& scenario, const So
                                               ParseReport& report) {
   CheckName(scenario, root, report);
   CheckMedian(scenario, root, report);
+  CheckProfile(scenario, root, report);
   CheckDurations(scenario, report);
   CheckRoom(scenario, root, report);
   CheckFaultTimes(scenario, report);

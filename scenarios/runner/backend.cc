@@ -42,9 +42,10 @@ sim::KoalaSimulationConfig ConfigOf(const Scenario& scenario, const RobotDescrip
     X_OBody.translation() = placement.position_m;
     config.X_OBody[body] = X_OBody;
   }
-  config.camera = hardware::CameraModel::FromHorizontalFov(
-      scenario.camera.width, scenario.camera.height, scenario.camera.horizontal_fov_deg * kRadians);
-  config.profile.noise = sim::CameraProfile::Named(scenario.camera.sensor).noise;
+  const CameraSpec& camera = scenario.camera;
+  config.camera =
+      camera.profile.lens.Model(camera.width, camera.height, camera.horizontal_fov_deg * kRadians);
+  config.profile = camera.profile;
   config.head = {robot.head_limits, scenario.head.encoder_step_deg * kRadians,
                  scenario.head.encoder_noise_deg * kRadians, scenario.seed,
                  FaultsOf(scenario.faults)};

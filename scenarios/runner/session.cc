@@ -169,8 +169,19 @@ StackState Session::Read() {
   state.t = backend_.clock().Now();
   const hardware::BaseState base = Demand(backend_.base().Read(), "reading the base");
   state.X_OB = odometry_.Update(base);
-  state.angles = Demand(backend_.head().Read(), "reading the head").angles;
+  const hardware::HeadReading head = Demand(backend_.head().Read(), "reading the head");
+  angles_.Add(head);
+  state.angles = head.angles;
   return state;
+}
+
+StackState Session::AtCapture(const hardware::StereoFrame& frame, const StackState& now) const {
+  StackState then;
+  then.t = frame.left.t_capture;
+  then.X_OB = odometry_.PoseAt(then.t).value_or(now.X_OB);
+  then.angles = angles_.At(then.t);
+  then.angles.right = angles_.At(frame.right.t_capture).right;
+  return then;
 }
 
 void Session::See(const StackState& state, const std::string& step_name) {
@@ -178,14 +189,15 @@ void Session::See(const StackState& state, const std::string& step_name) {
   const hardware::StereoFrame frame = Demand(backend_.cameras().Grab(), "grabbing a frame");
   image_hash_.Update(frame.left.bgr);
   image_hash_.Update(frame.right.bgr);
+  const StackState then = AtCapture(frame, state);
   VisionResult result =
-      times_.Measure(kCycleStage, [&] { return vision_.Run(frame, state.angles, times_); });
+      times_.Measure(kCycleStage, [&] { return vision_.Run(frame, then.angles, times_); });
 
   FrameRecord record;
   record.index = frames_;
-  record.t_capture = frame.left.t_capture;
-  record.odometry = state.X_OB;
-  record.angles = state.angles;
+  record.t_capture = then.t;
+  record.odometry = then.X_OB;
+  record.angles = then.angles;
   record.step = step_name;
   record.decision = last_decision_;
   record.disparity_density = cv::countNonZero(result.disparity.valid) /
@@ -211,7 +223,7 @@ void Session::See(const StackState& state, const std::string& step_name) {
   ++frames_;
   pending_ = Pending{control::MakeSceneView(result.t_capture, std::move(result.regions),
                                             std::move(result.points_B)),
-                     state.X_OB, state.t + FromSeconds(scenario_.vision.latency_s)};
+                     then.X_OB, state.t + FromSeconds(scenario_.vision.latency_s)};
 }
 
 void Session::Deliver(const StackState& state) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "control/base/odometry.h"
+#include "control/kinematics/angle_history.h"
 #include "control/navigator/navigator.h"
 #include "hardware/types/result.h"
 #include "hardware/types/stage_times.h"
@@ -69,6 +70,8 @@ class Session {
   StepOutput Tick(Behaviour& behaviour, const std::string& step_name);
   StackState Read();
   void See(const StackState& state, const std::string& step_name);
+  /// Where base and head were when a frame was taken, each eye at its own instant.
+  StackState AtCapture(const hardware::StereoFrame& frame, const StackState& now) const;
   void Deliver(const StackState& state);
   void Write(const StepOutput& output);
   void Record(const StackState& state, const StepOutput& output);
@@ -83,6 +86,7 @@ class Session {
 
   VisionCycle vision_;
   control::Odometry odometry_;
+  control::AngleHistory angles_;
   control::Navigator navigator_;
   BehaviourContext context_;
   ScoreBook book_;

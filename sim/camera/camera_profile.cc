@@ -24,6 +24,13 @@ CameraProfile WebcamVga() {
   return p;
 }
 
+CameraProfile VgaNoise() {
+  CameraProfile p;
+  p.name = "vga_noise";
+  p.noise = WebcamVga().noise;
+  return p;
+}
+
 CameraProfile LifecamVx6000() {
   CameraProfile p = WebcamVga();
   p.name = "lifecam_vx6000";
@@ -92,11 +99,12 @@ std::vector<hardware::FieldError> CameraProfile::Validate() const {
 }
 
 std::vector<std::string> CameraProfile::Names() {
-  return {"ideal", "webcam_vga", "lifecam_vx6000", "sony_xc999"};
+  return {"ideal", "vga_noise", "webcam_vga", "lifecam_vx6000", "sony_xc999"};
 }
 
 CameraProfile CameraProfile::Named(std::string_view name) {
   if (name == "ideal") return {};
+  if (name == "vga_noise") return VgaNoise();
   if (name == "webcam_vga") return WebcamVga();
   if (name == "lifecam_vx6000") return LifecamVx6000();
   if (name == "sony_xc999") return SonyXc999();

@@ -26,12 +26,16 @@ struct LensProfile {
   /// The camera that this lens makes of an ideal one of a size and field of view (lens distortion
   /// aside). @throws hardware::ConfigError
   hardware::CameraModel Model(int width, int height, double horizontal_fov_rad) const;
+
+  bool operator==(const LensProfile&) const = default;
 };
 
 /// How long light is gathered, and how much of it a grey level stands for.
 struct ExposureProfile {
   double time_s = 0;  ///< 0: an instant, so that nothing blurs by motion
   double gain = 1;    ///< grey levels are multiplied by it, and clip at 255
+
+  bool operator==(const ExposureProfile&) const = default;
 };
 
 /// Noise of one channel at signal s has the variance read_noise_dn^2 + shot_gain_dn * s: read noise
@@ -41,6 +45,8 @@ struct NoiseProfile {
   double read_noise_dn = 0;
   double shot_gain_dn = 0;
   int bits = 8;  ///< levels of the analogue-digital converter: 2^bits from 0 to 255
+
+  bool operator==(const NoiseProfile&) const = default;
 };
 
 enum class Shutter {
@@ -55,6 +61,8 @@ struct ShutterProfile {
   /// Rolling: from the top row's exposure to the bottom row's. Interlaced: from the even field's to
   /// the odd field's. Global: not used.
   double readout_s = 0;
+
+  bool operator==(const ShutterProfile&) const = default;
 };
 
 /// When frames are taken and when they arrive.
@@ -66,6 +74,8 @@ struct TimingProfile {
   double drop_probability = 0;    ///< of a frame that never arrives
   double repeat_probability = 0;  ///< of a frame that shows the one before it again
   double skew_s = 0;              ///< the right eye captures this much later than the left
+
+  bool operator==(const TimingProfile&) const = default;
 };
 
 /// A kind of camera: what it does to a perfect image. The default does nothing.
@@ -80,11 +90,14 @@ struct CameraProfile {
   ShutterProfile shutter;
   TimingProfile timing;
 
+  bool operator==(const CameraProfile&) const = default;
+
   /// Every field that does not hold, as "camera.<part>.<field>".
   std::vector<hardware::FieldError> Validate() const;
 
   /// Where no data sheet gives a number it is typical of the kind, not measured on a unit:
   /// - "ideal": a pinhole without noise, every instant, at once.
+  /// - "vga_noise": the noise of "webcam_vga" and nothing else of it.
   /// - "webcam_vga": a CMOS webcam at 30 Hz. Noise sigma 1.5 DN in the dark, 3 at mid-grey, 4 at
   ///   white; mild barrel distortion; rows read over nearly the whole frame period.
   /// - "lifecam_vx6000": the NAO paper's wide-angle CMOS webcam (71 deg, 30 Hz): stronger barrel

@@ -133,6 +133,24 @@ TEST_F(ScenarioChecks, WhatIsLeftOutIsTheRobots) {
   EXPECT_THAT(ResolvedYaml(whole), HasSubstr("horizontal_fov_deg: 60"));
 }
 
+TEST_F(ScenarioChecks, ProfileIsNamedAndThenChangedByHand) {
+  const Scenario s = ParseScenarioText(
+      "scene: koala/room.xml\n"
+      "camera: {timing: {rate_hz: 15}, lens: {distortion: [-0.3, 0, 0, 0, 0]}, profile: "
+      "webcam_vga}\n"
+      "steps:\n  - wait: {duration_s: 1}\nexpect: []\n",
+      "s.yaml", {scenes_.path()});
+  const auto webcam = sim::CameraProfile::Named("webcam_vga");
+  EXPECT_EQ(s.camera.profile.timing.rate_hz, 15);
+  EXPECT_EQ(s.camera.profile.timing.latency_s, webcam.timing.latency_s);
+  EXPECT_EQ(s.camera.profile.lens.distortion.k1, -0.3);
+  EXPECT_EQ(s.camera.profile.lens.blur_px, webcam.lens.blur_px);
+  EXPECT_EQ(s.camera.profile.shutter, webcam.shutter);
+  EXPECT_THAT(Faults("wait: {duration_s: 1}", "koala/room.xml",
+                     "camera: {timing: {drop_probability: 0.1}}\n"),
+              HasSubstr("camera.timing.rate_hz = 0: must be positive for frames to be dropped"));
+}
+
 TEST_F(ScenarioChecks, AFaultInOneStepDoesNotHideAnother) {
   const std::string faults = Faults("fixate: {x_m: -1, y_m: 0, z_m: 0.3}\n  - fixate: {x_m: 1}");
   EXPECT_THAT(faults, HasSubstr("s.yaml:3:5: target is behind"));

@@ -28,7 +28,7 @@ time_limit_s: 10
 variation: {heading_deg: 0}
 bodies:
   board: {position_m: [1.05, 0.0, 0.30], yaw_deg: 180}
-camera: {width: 320, height: 240, sensor: ideal}
+camera: {width: 320, height: 240, profile: ideal}
 head: {encoder_step_deg: 0}
 vision: {rate_hz: 4, latency_s: 0.2}
 steps:
