@@ -205,15 +205,17 @@ void AddSceneOptions(CLI::App& app, RenderArguments& a) {
 
 void AddImageOptions(CLI::App& app, RenderArguments& a) {
   app.add_option("--camera", a.cameras, "A pair of the robot's cameras; again for more [all]")
+      ->allow_extra_args(false)
       ->group("Images");
   app.add_option("--size", a.size, "WIDTHxHEIGHT [the cameras' own]")->group("Images");
   app.add_option("--profile", a.profile,
-                 "What lens and sensor do: ideal, webcam_vga, lifecam_vx6000, sony_xc999")
+                 "What lens and sensor do: ideal, vga_noise, webcam_vga, ...")
       ->capture_default_str()
       ->group("Images");
   app.add_flag("--supersample", a.supersample, "Four samples per pixel")->group("Images");
   app.add_option("--gl", a.gl, "GL backend")->capture_default_str()->group("Images");
   app.add_option("--view", a.views, "Also the scene as a whole, by one of its own cameras")
+      ->allow_extra_args(false)
       ->group("Images");
 }
 

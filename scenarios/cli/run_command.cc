@@ -22,6 +22,7 @@ constexpr int kMostJobs = 256;
 struct RunArguments {
   std::vector<std::string> inputs;
   std::string backend;
+  std::string gl;
   std::string seed;
   std::string seeds;
   std::vector<std::string> tags;
@@ -36,6 +37,7 @@ SuiteOptions ToOptions(const RunArguments& a) {
   options.inputs.assign(a.inputs.begin(), a.inputs.end());
   if (options.inputs.empty()) options.inputs.emplace_back(HOROPTER_SCENARIOS_DIR);
   if (!a.backend.empty()) options.backend = a.backend;
+  if (!a.gl.empty()) options.gl = a.gl;
   if (!a.seed.empty()) {
     options.seeds = ParseSeeds(a.seed);
     if (options.seeds.size() != 1) {
@@ -77,6 +79,8 @@ Command AddRunCommand(CLI::App& parent) {
   const auto a = std::make_shared<RunArguments>();
   app->add_option("INPUT", a->inputs, "Scenario files, and folders of them [the shipped ones]");
   app->add_option("--backend", a->backend, "sim, emulated, hardware or replay, for all scenarios");
+  app->add_option("--gl", a->gl, "osmesa or egl: what simulated images are rendered with")
+      ->check(CLI::IsMember({"osmesa", "egl"}));
   auto* seed = app->add_option("--seed", a->seed, "Seed instead of each scenario's own");
   app->add_option("--seeds", a->seeds, "Several: 1-20 or 1,3,5-7")->excludes(seed);
   app->add_option("--tag", a->tags, "Only scenarios with this tag; may stand several times")

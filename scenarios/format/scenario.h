@@ -168,6 +168,7 @@ struct Scenario {
   std::string scene;  ///< MJCF below scenes/, e.g. koala/room.xml
   std::string robot = "koala";
   std::string backend = "sim";
+  std::string gl = "osmesa";  ///< what the simulated backends render with
   std::uint64_t seed = 1;
   double time_limit_s = 120;  ///< simulated; a run that has not ended by then fails
   VariationSpec variation;

@@ -301,6 +301,8 @@ void Visit(FieldVisitor& v, Scenario& s) {
           "robot.yaml."},
          kFolderName, s.robot);
   v.Choice({"backend", "", "What the robot is made of."}, BackendNames(), s.backend);
+  v.Choice({"gl", "", "What simulated images are rendered with; never replaced by another."},
+           {"osmesa", "egl"}, s.gl);
   v.Integral({"seed", "", "Varies what a lab would vary; the command line may replace it."},
              {0, kLargestSeed}, s.seed);
   v.Number({"time_limit_s", "s", "Simulated time after which a run that has not ended fails."},

@@ -46,6 +46,7 @@ sim::KoalaSimulationConfig ConfigOf(const Scenario& scenario, const RobotDescrip
   config.camera =
       camera.profile.lens.Model(camera.width, camera.height, camera.horizontal_fov_deg * kRadians);
   config.profile = camera.profile;
+  config.gl_backend = scenario.gl;
   config.head = {robot.head_limits, scenario.head.encoder_step_deg * kRadians,
                  scenario.head.encoder_noise_deg * kRadians, scenario.seed,
                  FaultsOf(scenario.faults)};

@@ -73,6 +73,7 @@ std::vector<Job> MakeJobs(const SuiteOptions& options) {
         continue;
       }
       if (options.backend) scenario.backend = *options.backend;
+      if (options.gl) scenario.gl = *options.gl;
       std::vector<std::uint64_t> seeds = options.seeds;
       if (seeds.empty()) seeds.push_back(scenario.seed);
       for (const std::uint64_t seed : seeds) {

@@ -16,6 +16,7 @@ namespace horopter::scenarios {
 struct SuiteOptions {
   std::vector<std::filesystem::path> inputs;  ///< scenario files and folders of them
   std::optional<std::string> backend;         ///< instead of each scenario's own
+  std::optional<std::string> gl;              ///< likewise
   std::vector<std::uint64_t> seeds;           ///< each scenario with each; empty: its own
   std::vector<std::string> tags;              ///< only scenarios with one of them; empty: all
   std::filesystem::path out;                  ///< empty: results/run-<date>-<time>

@@ -65,19 +65,23 @@ TEST(ScenarioSchema, AcceptsResolvedScenarios) {
   }
 }
 
-TEST(ScenarioSchema, EveryFieldSaysWhatItMeans) {
-  const nlohmann::json schema = ScenarioSchema();
-  for (const auto& [key, field] : schema["properties"].items()) {
-    EXPECT_FALSE(field.value("description", "").empty()) << key;
-    if (!field.contains("properties")) continue;
-    for (const auto& [inner, value] : field["properties"].items()) {
-      EXPECT_FALSE(value.value("description", "").empty()) << key << "." << inner;
-      const bool robots =
-          value.value("description", "").find("left out: the robot's") != std::string::npos;
-      EXPECT_NE(value.contains("default"), robots) << key << "." << inner;
+/// Every field of a section, and of the sections in it, has a sentence and a default, unless that
+/// is the robot's.
+void ExpectSections(const nlohmann::json& section, const std::string& path) {
+  for (const auto& [key, field] : section["properties"].items()) {
+    const std::string name = path + key;
+    const std::string doc = field.value("description", "");
+    EXPECT_FALSE(doc.empty()) << name;
+    if (field.contains("properties")) {
+      ExpectSections(field, name + ".");
+    } else if (!path.empty()) {
+      const bool robots = doc.find("left out: the robot's") != std::string::npos;
+      EXPECT_NE(field.contains("default"), robots) << name;
     }
   }
 }
+
+TEST(ScenarioSchema, EveryFieldSaysWhatItMeans) { ExpectSections(ScenarioSchema(), ""); }
 
 }  // namespace
 }  // namespace horopter::scenarios
