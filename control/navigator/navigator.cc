@@ -156,7 +156,7 @@ Navigator::Detour Navigator::ChooseDetour(const StripMeasurements& seen, const P
   Detour best{freer, sign * config_.avoid_angle_rad};
   if (config_.avoid_directions == 1) return best;
 
-  const auto points_B = memory_.PointsInBase(X_OB);
+  const auto points_B = memory_.PointsInBase(X_OB, ObstacleMemory::Certainty::kAny);
   const double goal_bearing = BearingTo(X_OB, *p_OG_);
   const double goal_distance = DistanceTo(X_OB, *p_OG_);
   const CostToGo cost_to_go(points_B, {0, 0}, AtBearing(goal_bearing, goal_distance),

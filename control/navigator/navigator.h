@@ -51,7 +51,8 @@ struct NavigatorDecision {
 /// Additions, each with its own setting in NavigatorConfig:
 /// - Corridor test: "central" is the strip of ground that the robot would sweep on its way to the
 ///   current target, not a part of the image.
-/// - Memory: what has left the narrow view still stands there for a while.
+/// - Memory: what has left the narrow view still stands there for a while. What one view alone has
+///   seen is planned round, but nothing far away is avoided because of it.
 /// - Target in front: what lies beyond the current target is not in its way.
 /// - Stop distance: never forward into something near ahead; only turning is left, and the next
 ///   view moves the waypoint on to the freer side.

@@ -38,7 +38,7 @@ struct NavigatorConfig {
   double side_hold_m = 0.6;         ///< a side is held until so far driven since the last waypoint
   double stuck_after_s = 40;        ///< without getting nearer the goal by stuck_progress_m
   double stuck_progress_m = 0.05;
-  ObstacleMemoryConfig memory;
+  ObstacleMemoryConfig memory{.confirm_beyond_m = 0.6};
 
   double gaze_min_m = 1.0;  ///< bounds of the fixation distance
   double gaze_max_m = 2.0;

@@ -65,6 +65,8 @@ std::vector<hardware::FieldError> ObstacleMemoryConfig::Validate() const {
   check.Require(min_pixels >= 1, "min_pixels", min_pixels, "must be at least 1");
   check.Require(max_range_m > 0 && max_range_m <= 10, "max_range_m", max_range_m,
                 "must be above 0 and at most 10");
+  check.Require(confirm_beyond_m >= 0, "confirm_beyond_m", confirm_beyond_m,
+                "must not be negative");
   check.Require(clear_min_m >= 0, "clear_min_m", clear_min_m, "must not be negative");
   return check.Take();
 }
@@ -81,7 +83,7 @@ void ObstacleMemory::Add(const SceneView& view, const Pose2& X_OB) {
   UpdateSeen(view, X_OB);
   ClearSeenPast(view, X_OB);
   const hardware::Duration keep = hardware::FromSeconds(config_.keep_s);
-  std::erase_if(cells_, [&](const auto& cell) { return view.t_capture - cell.second > keep; });
+  std::erase_if(cells_, [&](const auto& cell) { return view.t_capture - cell.second.last > keep; });
 }
 
 ObstacleMemory::Window ObstacleMemory::CountPixels(const cv::Mat3f& points_B,
@@ -113,7 +115,10 @@ void ObstacleMemory::UpdateSeen(const SceneView& view, const Pose2& X_OB) {
       const int floor_px = floor.pixels[i * standing.side + j];
       const Cell cell{standing.corner.first + i, standing.corner.second + j};
       if (obstacle_px >= config_.min_pixels && 2 * obstacle_px >= floor_px) {
-        cells_[cell] = view.t_capture;
+        const bool confirmed = SeenBefore(cell, view.t_capture);
+        Seen& seen = cells_.try_emplace(cell, Seen{view.t_capture, view.t_capture}).first->second;
+        seen.last = view.t_capture;
+        seen.confirmed = seen.confirmed || confirmed;
       } else if (floor_px >= config_.min_pixels) {
         cells_.erase(cell);
       }
@@ -121,11 +126,23 @@ void ObstacleMemory::UpdateSeen(const SceneView& view, const Pose2& X_OB) {
   }
 }
 
+bool ObstacleMemory::SeenBefore(const Cell& cell, Time now) const {
+  constexpr int kAbout = 2;
+  for (int i = -kAbout; i <= kAbout; ++i) {
+    // Cells of a row of the window are neighbours in the map's order.
+    auto it = cells_.lower_bound({cell.first + i, cell.second - kAbout});
+    for (; it != cells_.end() && it->first <= Cell{cell.first + i, cell.second + kAbout}; ++it) {
+      if (it->second.first != now) return true;
+    }
+  }
+  return false;
+}
+
 void ObstacleMemory::ClearSeenPast(const SceneView& view, const Pose2& X_OB) {
   const Panorama panorama(view.obstacles_B);
   const double margin = 3 * config_.cell_m;
   std::erase_if(cells_, [&](const auto& cell) {
-    if (cell.second == view.t_capture) return false;
+    if (cell.second.last == view.t_capture) return false;
     const Eigen::Vector2d p_B = InBase(X_OB, (cell.first.first + 0.5) * config_.cell_m,
                                        (cell.first.second + 0.5) * config_.cell_m);
     const double range = p_B.norm();
@@ -133,12 +150,16 @@ void ObstacleMemory::ClearSeenPast(const SceneView& view, const Pose2& X_OB) {
   });
 }
 
-std::vector<Eigen::Vector2d> ObstacleMemory::PointsInBase(const Pose2& X_OB) const {
+std::vector<Eigen::Vector2d> ObstacleMemory::PointsInBase(const Pose2& X_OB,
+                                                          Certainty certainty) const {
   std::vector<Eigen::Vector2d> points;
   points.reserve(cells_.size());
   for (const auto& [cell, seen] : cells_) {
-    points.push_back(
-        InBase(X_OB, (cell.first + 0.5) * config_.cell_m, (cell.second + 0.5) * config_.cell_m));
+    const Eigen::Vector2d p_B =
+        InBase(X_OB, (cell.first + 0.5) * config_.cell_m, (cell.second + 0.5) * config_.cell_m);
+    if (certainty == Certainty::kAny || seen.confirmed || p_B.norm() <= config_.confirm_beyond_m) {
+      points.push_back(p_B);
+    }
   }
   return points;
 }

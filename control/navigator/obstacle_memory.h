@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <opencv2/core/mat.hpp>
 #include <utility>
@@ -24,6 +25,9 @@ struct ObstacleMemoryConfig {
   double max_range_m = 2;    ///< points further away are not remembered
   double clear_min_m = 0.8;  ///< nearer cells are not cleared by a view that sees something beyond:
                              ///< what stands there may be below the image
+  /// Cells further than this from the robot count only once two views have seen something there, or
+  /// within two cells of it: a mismatch hardly falls on the same place twice. Infinite: all count.
+  double confirm_beyond_m = std::numeric_limits<double>::infinity();
 
   std::vector<hardware::FieldError> Validate() const;
 };
@@ -43,8 +47,15 @@ class ObstacleMemory {
   /// @param X_OB where the base was when the view was taken
   void Add(const SceneView& view, const hardware::Pose2& X_OB);
 
+  /// Which cells to go by.
+  enum class Certainty {
+    kConfirmed,  ///< those that count (confirm_beyond_m): to act upon
+    kAny,        ///< all: to plan round
+  };
+
   /// Centres of the remembered cells, in the base frame at pose `X_OB` [m].
-  std::vector<Eigen::Vector2d> PointsInBase(const hardware::Pose2& X_OB) const;
+  std::vector<Eigen::Vector2d> PointsInBase(const hardware::Pose2& X_OB,
+                                            Certainty certainty = Certainty::kConfirmed) const;
 
   std::size_t size() const { return cells_.size(); }
 
@@ -63,7 +74,15 @@ class ObstacleMemory {
   void ClearSeenPast(const SceneView& view, const hardware::Pose2& X_OB);
 
   ObstacleMemoryConfig config_;
-  std::map<Cell, hardware::Time> cells_;  ///< when each was last seen
+  struct Seen {
+    hardware::Time first{};
+    hardware::Time last{};
+    bool confirmed = false;  ///< by two views
+  };
+  /// Whether an earlier view has seen something in or about a cell.
+  bool SeenBefore(const Cell& cell, hardware::Time now) const;
+
+  std::map<Cell, Seen> cells_;
 };
 
 }  // namespace horopter::control

@@ -87,6 +87,21 @@ TEST(ObstacleMemory, SeeingPastAFarCellClearsItButNotANearOne) {
   }
 }
 
+TEST(ObstacleMemory, FarCellsCountOnceTwoViewsHaveSeenThem) {
+  ObstacleMemoryConfig config;
+  config.confirm_beyond_m = 0.6;
+  ObstacleMemory memory(config);
+  memory.Add(ViewOf({}, 10, 0, {0.5f, 0, 0.2f}), {});
+  EXPECT_EQ(memory.PointsInBase({}).size(), 1u);  // near: at once
+  memory.Add(ViewOf(Time(seconds(1)), 10, 0, {1, 0, 0.2f}), {});
+  EXPECT_EQ(memory.PointsInBase({}).size(), 1u);
+  EXPECT_EQ(memory.PointsInBase({}, ObstacleMemory::Certainty::kAny).size(), 2u);
+  memory.Add(ViewOf(Time(seconds(2)), 10, 0, {1.05f, 0, 0.2f}), {});  // two cells further
+  EXPECT_EQ(memory.PointsInBase({}).size(), 2u);
+  memory.Add(ViewOf(Time(seconds(3)), 10, 0, {1.4f, 0.5f, 0.2f}), {});  // elsewhere
+  EXPECT_EQ(memory.PointsInBase({}).size(), 2u);
+}
+
 TEST(ObstacleMemory, ValidateNamesEveryBadField) {
   EXPECT_TRUE(ObstacleMemoryConfig{}.Validate().empty());
   EXPECT_EQ((ObstacleMemoryConfig{0, -1, 0, 0, -1}.Validate().size()), 5u);

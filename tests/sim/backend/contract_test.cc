@@ -6,40 +6,20 @@
 #include "tests/hardware/interfaces/contract_device.h"
 #include "tests/hardware/interfaces/contract_mobile_base.h"
 #include "tests/hardware/interfaces/contract_stereo_head.h"
+#include "tests/sim/backend/simulated.h"
 #include "tests/sim/backend/yard.h"
 
 namespace horopter::sim {
 namespace {
 
-using hardware::Clock;
 using hardware::Duration;
 using hardware::FromSeconds;
 
-class SimTraits {
+using SimTraits = Simulated<KoalaSimulation, KoalaInYard>;
+using ClockTraits = SimulatedClock<SimTraits>;
+
+class HeadTraits : public SimulatedHead<SimTraits> {
  public:
-  static constexpr bool kLockstep = true;
-
-  Clock& clock() { return simulation_.clock(); }
-
- protected:
-  const KoalaSimulationConfig config_ = KoalaInYard();
-  hardware::StageTimes times_;
-  KoalaSimulation simulation_{config_, times_};
-};
-
-class ClockTraits : public SimTraits {
- public:
-  std::optional<Duration> step() { return simulation_.world().step(); }
-};
-
-class HeadTraits : public SimTraits {
- public:
-  hardware::StereoHead& device() { return simulation_.head(); }
-  hardware::HeadAxisArray encoder_tolerance_rad() const {
-    hardware::HeadAxisArray steps;
-    steps.fill(config_.head.encoder_resolution_rad);
-    return steps;
-  }
   /// The pan axis crosses its range of 317.8 deg at 120 deg/s in 2.85 s.
   static Duration settle_time() { return FromSeconds(3); }
 };

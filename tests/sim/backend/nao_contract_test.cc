@@ -7,39 +7,19 @@
 #include "tests/hardware/interfaces/contract_humanoid.h"
 #include "tests/hardware/interfaces/contract_stereo_head.h"
 #include "tests/sim/backend/nao_yard.h"
+#include "tests/sim/backend/simulated.h"
 
 namespace horopter::sim {
 namespace {
 
-using hardware::Clock;
 using hardware::Duration;
 using hardware::FromSeconds;
 
-class NaoTraits {
+using NaoTraits = Simulated<NaoSimulation, NaoInYard>;
+using NaoClockTraits = SimulatedClock<NaoTraits>;
+
+class NaoHeadTraits : public SimulatedHead<NaoTraits> {
  public:
-  static constexpr bool kLockstep = true;
-
-  Clock& clock() { return simulation_.clock(); }
-
- protected:
-  const NaoSimulationConfig config_ = NaoInYard();
-  hardware::StageTimes times_;
-  NaoSimulation simulation_{config_, times_};
-};
-
-class NaoClockTraits : public NaoTraits {
- public:
-  std::optional<Duration> step() { return simulation_.world().step(); }
-};
-
-class NaoHeadTraits : public NaoTraits {
- public:
-  hardware::StereoHead& device() { return simulation_.head(); }
-  hardware::HeadAxisArray encoder_tolerance_rad() const {
-    hardware::HeadAxisArray steps;
-    steps.fill(config_.head.encoder_resolution_rad);
-    return steps;
-  }
   /// The yaw crosses its range of 239 deg at 474 deg/s in 0.6 s.
   static Duration settle_time() { return FromSeconds(0.9); }
   static hardware::HeadAngles Reachable(const hardware::HeadAngles& target) {

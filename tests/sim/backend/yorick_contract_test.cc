@@ -5,40 +5,20 @@
 #include "tests/hardware/interfaces/contract_clock.h"
 #include "tests/hardware/interfaces/contract_device.h"
 #include "tests/hardware/interfaces/contract_stereo_head.h"
+#include "tests/sim/backend/simulated.h"
 #include "tests/sim/backend/yorick.h"
 
 namespace horopter::sim {
 namespace {
 
-using hardware::Clock;
 using hardware::Duration;
 using hardware::FromSeconds;
 
-class YorickTraits {
+using YorickTraits = Simulated<YorickSimulation, YorickAtTable>;
+using YorickClockTraits = SimulatedClock<YorickTraits>;
+
+class YorickHeadTraits : public SimulatedHead<YorickTraits> {
  public:
-  static constexpr bool kLockstep = true;
-
-  Clock& clock() { return simulation_.clock(); }
-
- protected:
-  const YorickSimulationConfig config_ = YorickAtTable();
-  hardware::StageTimes times_;
-  YorickSimulation simulation_{config_, times_};
-};
-
-class YorickClockTraits : public YorickTraits {
- public:
-  std::optional<Duration> step() { return simulation_.world().step(); }
-};
-
-class YorickHeadTraits : public YorickTraits {
- public:
-  hardware::StereoHead& device() { return simulation_.head(); }
-  hardware::HeadAxisArray encoder_tolerance_rad() const {
-    hardware::HeadAxisArray steps;
-    steps.fill(config_.head.encoder_resolution_rad);
-    return steps;
-  }
   /// The neck crosses its 180 deg at 430 deg/s in half a second.
   static Duration settle_time() { return FromSeconds(0.7); }
 };
