@@ -9,16 +9,12 @@
 #include <tuple>
 #include <utility>
 
+#include "scenarios/cli/paired_noise.h"
 #include "scenarios/results/results_error.h"
-#include "scenarios/results/statistics.h"
 
 namespace horopter::scenarios {
 namespace {
 
-constexpr int kPairsForSpread = 3;
-constexpr double kMadToSigma = 1.4826;      // of a normal distribution
-constexpr double kMedianStdError = 1.2533;  // sqrt(pi / 2)
-constexpr double kStdErrors = 3;
 constexpr double kFloorFew = 0.10;
 constexpr double kFloorMany = 0.01;
 constexpr double kTimingFloor = 0.25;
@@ -48,18 +44,6 @@ double SmallestStep(const Metric& metric) {
   if (metric.unit == "m") return 1e-3;
   if (metric.unit == "deg") return 0.01;
   return metric.unit == "s" ? 0.05 : 1e-3;
-}
-
-double MedianOf(std::vector<double> sample) { return Median(std::move(sample)).value_or(0); }
-
-/// Three standard errors of the median, 0 where the spread cannot be known.
-double MedianNoise(const std::vector<double>& sample) {
-  if (sample.size() < kPairsForSpread) return 0;
-  const double centre = MedianOf(sample);
-  std::vector<double> deviations;
-  for (double value : sample) deviations.push_back(std::abs(value - centre));
-  const double sigma = kMadToSigma * MedianOf(std::move(deviations));
-  return kStdErrors * kMedianStdError * sigma / std::sqrt(static_cast<double>(sample.size()));
 }
 
 Verdict Judge(double worsening, double noise) {
@@ -126,36 +110,65 @@ void ListMissingMetrics(const RunPair& pair, SuiteComparison& comparison) {
   }
 }
 
-/// Nothing when no pair has the metric on both sides.
-std::optional<MetricChange> CompareMetric(const Metric& metric, const std::vector<RunPair>& pairs) {
+/// One metric of the runs that both sides played, by pairs.
+struct PairedValues {
+  std::vector<std::uint64_t> seeds;
   std::vector<double> olds, news, worsenings;
+};
+
+PairedValues ValuesOf(const Metric& metric, const std::vector<RunPair>& pairs) {
+  PairedValues values;
   for (const auto& [before, after] : pairs) {
     const auto was = before->metrics.find(metric.name);
     const auto is = after->metrics.find(metric.name);
     if (was == before->metrics.end() || is == after->metrics.end()) continue;
-    olds.push_back(was->second);
-    news.push_back(is->second);
-    worsenings.push_back(Worsening(metric, was->second, is->second));
+    values.seeds.push_back(before->seed);
+    values.olds.push_back(was->second);
+    values.news.push_back(is->second);
+    values.worsenings.push_back(Worsening(metric, was->second, is->second));
   }
-  if (olds.empty()) return std::nullopt;
+  return values;
+}
+
+/// No difference below this is told from none.
+double Floor(const Metric& metric, const std::vector<double>& olds, double share) {
+  return std::max(share * std::abs(MedianOf(olds)), SmallestStep(metric));
+}
+
+/// @pre there is a pair
+SeedChange WorstPair(const Metric& metric, const PairedValues& values) {
+  const auto worst = std::max_element(values.worsenings.begin(), values.worsenings.end());
+  const auto i = static_cast<std::size_t>(worst - values.worsenings.begin());
+  SeedChange change{values.seeds[i], values.olds[i], values.news[i], *worst};
+  std::vector<double> others = values.worsenings;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+  change.noise = std::max(PairNoise(others, values.olds), Floor(metric, values.olds, kFloorFew));
+  change.verdict = Judge(change.worsening, change.noise);
+  return change;
+}
+
+/// Nothing when no pair has the metric on both sides.
+std::optional<MetricChange> CompareMetric(const Metric& metric, const std::vector<RunPair>& pairs) {
+  const PairedValues values = ValuesOf(metric, pairs);
+  if (values.olds.empty()) return std::nullopt;
   MetricChange change;
   change.metric = metric.name;
   change.unit = metric.unit;
-  change.pairs = static_cast<int>(olds.size());
-  change.noise = MedianNoise(worsenings);
+  change.pairs = static_cast<int>(values.olds.size());
+  change.before = MedianOf(values.olds);
+  change.after = MedianOf(values.news);
   if (metric.whole) {
     // A count that rises in one run of many is a real event: judge the sum, not the median.
-    change.worsening = 0;
-    for (double w : worsenings) change.worsening += w;
-    change.noise = 0;
+    for (double w : values.worsenings) change.worsening += w;
   } else {
-    change.worsening = MedianOf(worsenings);
-    const double floor = change.pairs < kPairsForSpread ? kFloorFew : kFloorMany;
-    change.noise = std::max({change.noise, floor * std::abs(MedianOf(olds)), SmallestStep(metric)});
+    const bool few = values.olds.size() < kRunsForSpread;
+    change.worsening = MedianOf(values.worsenings);
+    change.noise = std::max(MedianNoise(values.worsenings),
+                            Floor(metric, values.olds, few ? kFloorFew : kFloorMany));
   }
-  change.before = MedianOf(std::move(olds));
-  change.after = MedianOf(std::move(news));
-  change.verdict = Judge(change.worsening, change.noise);
+  change.worst = WorstPair(metric, values);
+  change.verdict = change.worst.verdict == Verdict::kWorse ? Verdict::kWorse
+                                                           : Judge(change.worsening, change.noise);
   return change;
 }
 

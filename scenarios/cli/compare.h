@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,16 @@ struct OutcomeChange {
   Verdict verdict = Verdict::kSame;
 };
 
+/// One run's metric on both sides.
+struct SeedChange {
+  std::uint64_t seed = 0;
+  double before = 0;
+  double after = 0;
+  double worsening = 0;  ///< positive when worse
+  double noise = 0;      ///< a worsening up to this is none
+  Verdict verdict = Verdict::kSame;
+};
+
 /// A metric of a scenario on a backend, over the seeds that both sides played.
 struct MetricChange {
   std::string scenario;
@@ -28,11 +39,12 @@ struct MetricChange {
   std::string metric;
   std::string unit;
   int pairs = 0;
-  double before = 0;     ///< median over the pairs
-  double after = 0;      ///< likewise
-  double worsening = 0;  ///< median of the paired differences, positive when worse
-  double noise = 0;      ///< a worsening up to this is none
-  Verdict verdict = Verdict::kSame;
+  double before = 0;                 ///< median over the pairs
+  double after = 0;                  ///< likewise
+  double worsening = 0;              ///< median of the paired differences, positive when worse
+  double noise = 0;                  ///< a worsening up to this is none
+  SeedChange worst;                  ///< the pair that worsened most
+  Verdict verdict = Verdict::kSame;  ///< worse when the worst pair is, whatever the median does
 };
 
 /// A stage's time, as the ratio after / before of its medians.
@@ -64,13 +76,14 @@ struct SuiteComparison {
 /// Compares two suites run by run (scenario, seed, backend).
 ///
 /// An outcome or expectation that is worse than before is a regression, from best to worst: passed,
-/// not applicable, failed, incomplete, error. A metric is compared over all
-/// seeds of a scenario: the worsening is the median of the paired differences, the noise three
-/// standard errors of that median, with the spread of the differences estimated robustly (1.4826
-/// MAD; the median's standard error is 1.2533 sigma / sqrt(n)), and never less than a floor: 1 % of
-/// the old value and 1 mm, 0.01 deg, 0.05 s or 0.001. Below three pairs the spread is unknown and
-/// the floor is 10 % of the old value. Counts have no noise. Timings are ratios, on a logarithmic
-/// scale, with a floor of 25 % and 0.5 ms: other load on the machine is no regression.
+/// not applicable, failed, incomplete, error. A metric is compared over all seeds of a scenario,
+/// twice. Over all: the median of the paired differences against its own standard error
+/// (MedianNoise), and never less than a floor: 1 % of the old median (10 % below three pairs, where
+/// the spread is unknown) and 1 mm, 0.01 deg, 0.05 s or 0.001. And its worst pair, since a disaster
+/// on one seed moves no median: against what the other pairs and the old runs scatter (PairNoise),
+/// with the floor of 10 %. Counts are judged by their sum, which has no noise, and by their worst
+/// pair. Timings are ratios, on a logarithmic scale, with a floor of 25 % and 0.5 ms: other load on
+/// the machine is no regression.
 /// @throws UnusableResults when two runs of one side share scenario, seed and backend
 SuiteComparison Compare(const std::vector<RunSummary>& before,
                         const std::vector<RunSummary>& after);

@@ -53,7 +53,13 @@ Command AddCompareCommand(CLI::App& parent) {
   app->add_flag("--allow-missing", a->allow_missing,
                 "Runs, expectations and metrics that NEW lacks are no regression");
   app->add_flag("--all", a->all, "List what did not change, too");
-  app->footer("\nExample:\n  horopter compare results/main results/branch --timings");
+  app->footer(
+      "\nA run or expectation that ends worse than before is a regression. So is a metric whose\n"
+      "median over the seeds worsened beyond three standard errors of the paired differences (at\n"
+      "least 1 % of the old median, 10 % below three seeds), or whose worst seed worsened beyond\n"
+      "3.5 sigma of the other seeds' differences and of the old runs together (at least 10 %).\n"
+      "Spreads are robust (MAD).\n"
+      "\nExample:\n  horopter compare results/main results/branch --timings");
   return {app, [a] { return CompareFolders(*a); }};
 }
 

@@ -78,16 +78,23 @@ std::string Outcomes(const std::vector<OutcomeChange>& changes) {
   return "Outcomes\n" + Aligned(rows);
 }
 
+/// "seed 4: 0.324 -> 0.051, worse by 0.273, noise 0.16"
+std::string WorstPair(const SeedChange& worst) {
+  return fmt::format("seed {}: {:.4g} -> {:.4g}, {} {:.3g}, noise {:.2g}", worst.seed, worst.before,
+                     worst.after, worst.verdict == Verdict::kWorse ? "WORSE by" : "worse by",
+                     worst.worsening, worst.noise);
+}
+
 std::string MetricRows(const std::vector<MetricChange>& changes, bool all) {
   if (changes.empty()) return "";
   const auto shown = Shown(changes, all);
   std::vector<Row> rows = {{"verdict", "scenario", "backend", "metric", "before", "after", "unit",
-                            "worse by", "noise", "seeds"}};
+                            "worse by", "noise", "seeds", "worst seed"}};
   for (const MetricChange& c : shown) {
     rows.push_back({Name(c.verdict), c.scenario, c.backend, c.metric,
                     fmt::format("{:.4g}", c.before), fmt::format("{:.4g}", c.after), c.unit,
                     fmt::format("{:+.3g}", c.worsening), fmt::format("{:.2g}", c.noise),
-                    std::to_string(c.pairs)});
+                    std::to_string(c.pairs), WorstPair(c.worst)});
   }
   return "Metrics (medians over seeds)\n" + (shown.empty() ? "" : Aligned(rows)) +
          Hidden(changes.size() - shown.size(), "metrics");

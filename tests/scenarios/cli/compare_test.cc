@@ -72,11 +72,58 @@ TEST(Compare, NoiseOverSeedsIsNoRegressionAndAShiftBeyondItIs) {
   EXPECT_EQ(MetricVerdict(before, Runs("depth.abs_rel.median", 0.01, 0.004, 2)), Verdict::kBetter);
 }
 
-TEST(Compare, OneOutlierDoesNotDecide) {
-  auto after = Runs("clearance", 0.1, 0, 1);
-  const auto before = after;
-  after[4].metrics["clearance"] = 0.0;
-  EXPECT_NE(MetricVerdict(before, after), Verdict::kWorse);
+/// One metric of seeds 1, 2, ...
+std::vector<RunSummary> Seeds(const std::string& metric, const std::vector<double>& values) {
+  std::vector<RunSummary> runs;
+  for (double value : values) runs.push_back(Played(runs.size() + 1, {{metric, value}}));
+  return runs;
+}
+
+TEST(Compare, DisasterOnOneSeedIsARegressionThoughTheMedianStays) {
+  const auto judge = [](const char* metric, std::vector<double> olds, std::size_t worst,
+                        double value) {
+    std::vector<double> news = olds;
+    news[worst] = value;
+    return Compare(Seeds(metric, olds), Seeds(metric, news));
+  };
+  const SuiteComparison clearance = judge("clearance", {0.20, 0.26, 0.31, 0.324, 0.29}, 3, 0.051);
+  EXPECT_TRUE(clearance.OutcomesOrMetricsRegressed());
+  ASSERT_EQ(clearance.metrics.size(), 1u);
+  const MetricChange& change = clearance.metrics[0];
+  EXPECT_EQ(change.worsening, 0);
+  EXPECT_EQ(change.worst.seed, 4u);
+  EXPECT_EQ(change.worst.before, 0.324);
+  EXPECT_EQ(change.worst.after, 0.051);
+  EXPECT_NEAR(change.worst.worsening, 0.273, 1e-12);
+  EXPECT_EQ(change.worst.verdict, Verdict::kWorse);
+  EXPECT_THAT(CompareTable(clearance, false),
+              HasSubstr("seed 4: 0.324 -> 0.051, WORSE by 0.273, noise 0."));
+  EXPECT_TRUE(judge("time_to_goal", {20, 31, 25, 42, 36}, 0, 79).OutcomesOrMetricsRegressed());
+  EXPECT_FALSE(
+      judge("clearance", {0.20, 0.26, 0.31, 0.324, 0.29}, 3, 0.25).OutcomesOrMetricsRegressed())
+      << "within what seeds differ by";
+}
+
+TEST(Compare, WorstSeedIsJudgedAlsoWhereAllOthersImproved) {
+  const auto before = Seeds("clearance", {0.20, 0.20, 0.20, 0.20, 0.20});
+  const auto after = Seeds("clearance", {0.25, 0.25, 0.25, 0.25, 0.10});
+  EXPECT_EQ(MetricVerdict(before, after), Verdict::kWorse);
+}
+
+TEST(Compare, ContactOfOneSeedIsNotMadeUpForByAnother) {
+  EXPECT_EQ(MetricVerdict(Seeds("contacts", {0, 0, 0, 1, 0}), Seeds("contacts", {1, 0, 0, 0, 0})),
+            Verdict::kWorse);
+}
+
+TEST(Compare, PureNoiseSeldomHasASeedThatIsWorse) {
+  constexpr int kSuites = 200;
+  int alarms = 0;
+  for (unsigned i = 0; i < kSuites; ++i) {
+    const auto change =
+        Compare(Runs("path_length", 4, 0.5, 2 * i), Runs("path_length", 4, 0.5, 2 * i + 1));
+    alarms += change.metrics.at(0).worst.verdict == Verdict::kWorse ? 1 : 0;
+  }
+  EXPECT_LE(alarms, 0.04 * kSuites);
 }
 
 TEST(Compare, SingleRunsGetACoarseLimit) {
