@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "control/navigator/strips.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "hardware/types/field_checker.h"
+#include "vision/regions/nearest_rank.h"
 
 namespace horopter::control {
 namespace {
@@ -54,19 +54,13 @@ Strip StripOfColumn(int u, int width, double central_fraction) {
   return Strip::kCentre;
 }
 
-/// The value that `fraction` of the values may be less than. Reorders them. @pre not empty
-float NearestRank(std::vector<float>& values, double fraction) {
-  const auto nth =
-      values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
-
 void KeepNearer(std::optional<Obstacle>& nearest, const Obstacle& candidate) {
   if (!nearest || candidate.near_m < nearest->near_m) nearest = candidate;
 }
 
 }  // namespace
+
+Strip OtherSide(Strip side) { return side == Strip::kLeft ? Strip::kRight : Strip::kLeft; }
 
 std::vector<hardware::FieldError> StripConfig::Validate() const {
   hardware::FieldChecker check("strips.");
@@ -118,7 +112,7 @@ StripMeasurements MeasureStrips(const SceneView& view, ObstacleTest test, double
     for (const Strip strip : kStrips) {
       PixelsInArea& area = areas[label][static_cast<int>(strip)];
       if (area.standing < config.min_pixels) continue;
-      const double near = NearestRank(area.distances, config.near_fraction);
+      const double near = vision::NearestRank(area.distances, config.near_fraction);
       if (std::isinf(near)) continue;
       KeepNearer(measured[strip], {static_cast<int>(label), area.standing, near});
     }

@@ -19,6 +19,9 @@ enum class ObstacleTest {
 
 enum class Strip { kLeft, kCentre, kRight };
 
+/// The right of kLeft, the left of kRight. @pre not the centre
+Strip OtherSide(Strip side);
+
 /// How a view is cut into a left, a central and a right area.
 struct StripConfig {
   double central_fraction = 0.40;       ///< kCentralImage: of the image width

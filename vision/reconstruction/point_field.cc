@@ -42,10 +42,4 @@ cv::Mat1f DepthAlongOptical(const PointField& field_B, const hardware::Pose& X_B
   return depth;
 }
 
-cv::Mat1f ForwardDistance(const PointField& field_B) {
-  cv::Mat1f x;
-  cv::extractChannel(field_B.points, x, 0);
-  return x;
-}
-
 }  // namespace horopter::vision

@@ -23,7 +23,4 @@ PointField Transformed(const PointField& field_B, const hardware::Pose& X_AB);
 /// NaN where there is no point. With X_BC of the left eye this is the left image's depth map.
 cv::Mat1f DepthAlongOptical(const PointField& field_B, const hardware::Pose& X_BC);
 
-/// The points' x, which is the forward distance in body axes [m]; NaN where there is no point.
-cv::Mat1f ForwardDistance(const PointField& field_B);
-
 }  // namespace horopter::vision

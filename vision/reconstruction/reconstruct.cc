@@ -161,10 +161,4 @@ PointField Reconstructor::Solve(const DisparityField& disparity, const PaperEye&
   return field;
 }
 
-PointField Reconstruct(const DisparityField& disparity,
-                       const hardware::PerEye<CameraModel>& cameras,
-                       const hardware::HeadAngles& angles, double baseline_m) {
-  return Reconstructor(cameras).Reconstruct(disparity, angles, baseline_m);
-}
-
 }  // namespace horopter::vision

@@ -76,9 +76,4 @@ class Reconstructor {
   Rays right_;
 };
 
-/// One field with rays computed for it alone; keep a Reconstructor for a sequence.
-PointField Reconstruct(const DisparityField& disparity,
-                       const hardware::PerEye<hardware::CameraModel>& cameras,
-                       const hardware::HeadAngles& angles, double baseline_m);
-
 }  // namespace horopter::vision

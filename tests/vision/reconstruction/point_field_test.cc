@@ -52,12 +52,5 @@ TEST(PointField, DepthIsMeasuredAlongTheOpticalAxis) {
   EXPECT_FLOAT_EQ(DepthAlongOptical(TwoPoints(), X_BC)(0, 2), 5.0f);
 }
 
-TEST(PointField, ForwardDistanceIsX) {
-  const cv::Mat1f x = ForwardDistance(TwoPoints());
-  EXPECT_EQ(x(0, 0), 1);
-  EXPECT_TRUE(std::isnan(x(0, 1)));
-  EXPECT_EQ(x(0, 2), -4);
-}
-
 }  // namespace
 }  // namespace horopter::vision

@@ -34,6 +34,11 @@ CameraModel DistortedCamera() {
   return CameraModel({160, 120, 140, 138, 83.2, 57.7}, {-0.28, 0.09, 1e-3, -7e-4, 0});
 }
 
+PointField Reconstruct(const DisparityField& disparity, const PerEye<CameraModel>& cameras,
+                       const HeadAngles& angles, double baseline_m) {
+  return Reconstructor(cameras).Reconstruct(disparity, angles, baseline_m);
+}
+
 PerEye<Pose> Poses(const HeadAngles& angles) {
   return {EyeInHead(angles.left, Eye::kLeft, kBaseline),
           EyeInHead(angles.right, Eye::kRight, kBaseline)};
@@ -174,8 +179,10 @@ TEST(Triangulation, DepthNoiseIsWhatTheGeometryPredicts) {
       }
     }
     const PointField field = Reconstruct(d, SameCameras(camera), {}, kBaseline);
+    cv::Mat1f forward;
+    cv::extractChannel(field.points, forward, 0);
     cv::Scalar mean, deviation;
-    cv::meanStdDev(ForwardDistance(field), mean, deviation, d.valid);
+    cv::meanStdDev(forward, mean, deviation, d.valid);
     const double predicted = Z * Z * 0.05 / (f * kBaseline);
     EXPECT_NEAR(mean[0], Z, predicted);
     EXPECT_NEAR(deviation[0] / predicted, 1, 0.15) << "at " << Z << " m";
