@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -13,17 +14,27 @@ namespace horopter::control {
 CostToGo::CostToGo(const std::vector<Eigen::Vector2d>& obstacles, const Eigen::Vector2d& start,
                    const Eigen::Vector2d& goal, const CostToGoConfig& config)
     : config_(config) {
+  const double beyond_m = std::max(0.0, (goal - start).norm() - config_.reach_m);
+  const Eigen::Vector2d nearer_goal = goal - beyond_m * (goal - start).normalized();
+  std::vector<Eigen::Vector2d> within;
+  std::copy_if(obstacles.begin(), obstacles.end(), std::back_inserter(within),
+               [&](const Eigen::Vector2d& p) { return (p - start).norm() <= config_.reach_m; });
+  LayOut(start, nearer_goal, within);
+  Block(within);
+  Spread(CellOf(nearer_goal), beyond_m);
+}
+
+void CostToGo::LayOut(const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
+                      const std::vector<Eigen::Vector2d>& obstacles) {
   Eigen::Vector2d low = start.cwiseMin(goal), high = start.cwiseMax(goal);
   for (const Eigen::Vector2d& p : obstacles) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  corner_ = low.array() - config.margin_m;
+  corner_ = low.array() - config_.margin_m;
   const Eigen::Vector2d size = high - low;
-  columns_ = static_cast<int>(std::ceil((size.x() + 2 * config.margin_m) / config.cell_m));
-  rows_ = static_cast<int>(std::ceil((size.y() + 2 * config.margin_m) / config.cell_m));
-  Block(obstacles);
-  Spread(CellOf(goal));
+  columns_ = static_cast<int>(std::ceil((size.x() + 2 * config_.margin_m) / config_.cell_m));
+  rows_ = static_cast<int>(std::ceil((size.y() + 2 * config_.margin_m) / config_.cell_m));
 }
 
 double CostToGo::From(const Eigen::Vector2d& p) const {
@@ -66,12 +77,12 @@ void CostToGo::Block(const std::vector<Eigen::Vector2d>& obstacles) {
   }
 }
 
-void CostToGo::Spread(const Cell& goal) {
+void CostToGo::Spread(const Cell& goal, double beyond_m) {
   cost_m_.assign(blocked_.size(), std::numeric_limits<double>::infinity());
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  cost_m_[Index(goal)] = 0;
-  open.emplace(0, Index(goal));
+  cost_m_[Index(goal)] = beyond_m;
+  open.emplace(beyond_m, Index(goal));
   while (!open.empty()) {
     const auto [cost, index] = open.top();
     open.pop();

@@ -12,6 +12,8 @@ struct CostToGoConfig {
   double blocked_factor = 20;  ///< by how much a metre within that distance counts more: a goal
                                ///< in a narrow place still has a cost
   double margin_m = 1.5;       ///< how far the grid reaches beyond start, goal and points
+  double reach_m = 10;  ///< from the start; further points are left out, and to a further goal the
+                        ///< rest of the way counts as straight and free: bounds the grid
 };
 
 /// Length of the shortest way to the goal from anywhere near, through what is known: Dijkstra's
@@ -32,12 +34,14 @@ class CostToGo {
     int row = 0;
   };
 
+  void LayOut(const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
+              const std::vector<Eigen::Vector2d>& obstacles);
   Cell CellOf(const Eigen::Vector2d& p) const;
   Eigen::Vector2d CentreOf(const Cell& cell) const;
   bool Contains(const Cell& cell) const;
   std::size_t Index(const Cell& cell) const;
   void Block(const std::vector<Eigen::Vector2d>& obstacles);
-  void Spread(const Cell& goal);
+  void Spread(const Cell& goal, double beyond_m);
 
   CostToGoConfig config_;
   Eigen::Vector2d corner_;

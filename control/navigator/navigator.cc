@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <stdexcept>
-
-#include "control/navigator/cost_to_go.h"
 
 namespace horopter::control {
 
@@ -31,8 +28,6 @@ double BearingTo(const Pose2& X_OB, const Eigen::Vector2d& p_O) {
 Eigen::Vector2d AtBearing(double bearing_rad, double distance_m) {
   return {distance_m * std::cos(bearing_rad), distance_m * std::sin(bearing_rad)};
 }
-
-Strip Other(Strip side) { return side == Strip::kLeft ? Strip::kRight : Strip::kLeft; }
 
 std::string Metres(double distance) {
   if (std::isinf(distance)) return "free";
@@ -140,8 +135,8 @@ void Navigator::Avoid(const StripMeasurements& seen, const Pose2& X_OB) {
   side_ = detour.side;
   obstacle_ = seen.centre;
   const double heading = hardware::WrapAngle(X_OB.heading_rad + detour.turn_rad);
-  waypoint_ = Pose2{X_OB.x_m + distance * std::cos(heading),
-                    X_OB.y_m + distance * std::sin(heading), heading};
+  waypoint_ = Pose2{X_OB.x_m + detour.distance_m * std::cos(heading),
+                    X_OB.y_m + detour.distance_m * std::sin(heading), heading};
   goal_leg_start_.reset();
   avoiding_why_ = Name(*obstacle_) + " " + Metres(obstacle_->near_m) + " ahead; left " +
                   Metres(seen.near_m(Strip::kLeft)) + ", right " +
@@ -149,42 +144,26 @@ void Navigator::Avoid(const StripMeasurements& seen, const Pose2& X_OB) {
                   (*side_ == Strip::kLeft ? "left" : "right");
 }
 
-Navigator::Detour Navigator::ChooseDetour(const StripMeasurements& seen, const Pose2& X_OB,
-                                          double distance_m) const {
+Detour Navigator::ChooseDetour(const StripMeasurements& seen, const Pose2& X_OB,
+                               double distance_m) const {
   const Strip freer = ChooseSide(seen, X_OB);
   const double sign = freer == Strip::kLeft ? 1 : -1;
-  Detour best{freer, sign * config_.avoid_angle_rad};
-  if (config_.avoid_directions == 1) return best;
+  const Detour papers{freer, sign * config_.avoid_angle_rad, distance_m};
+  if (config_.avoid_directions == 1) return papers;
 
-  const auto points_B = memory_.PointsInBase(X_OB, ObstacleMemory::Certainty::kAny);
-  const double goal_bearing = BearingTo(X_OB, *p_OG_);
-  const double goal_distance = DistanceTo(X_OB, *p_OG_);
-  const CostToGo cost_to_go(points_B, {0, 0}, AtBearing(goal_bearing, goal_distance),
-                            {.clearance_m = config_.strips.corridor_half_width_m});
-  const double needed = distance_m + config_.strips.corridor_half_width_m;
-  double best_cost = std::numeric_limits<double>::infinity();
-  for (int k = 1; k <= config_.avoid_directions; ++k) {
-    for (const Strip side : {freer, Other(freer)}) {
-      const double turn = (side == Strip::kLeft ? k : -k) * config_.avoid_angle_rad;
-      if (MeasurePoints(points_B, turn, config_.strips).near_m(Strip::kCentre) < needed) continue;
-      const bool leaves_side = side_ && side != *side_;
-      const double cost = cost_to_go.From(AtBearing(turn, distance_m)) +
-                          (leaves_side ? config_.avoid_other_side_m : 0);
-      if (cost >= best_cost) continue;
-      best = {side, turn};
-      best_cost = cost;
-    }
-  }
-  return best;
+  const KnownGround known{memory_.PointsInBase(X_OB, ObstacleMemory::Certainty::kAny),
+                          memory_.PointsInBase(X_OB)};
+  const Eigen::Vector2d p_BG = AtBearing(BearingTo(X_OB, *p_OG_), DistanceTo(X_OB, *p_OG_));
+  return ShortestDetour(known, p_BG, distance_m, freer, side_, config_).value_or(papers);
 }
 
 Strip Navigator::ChooseSide(const StripMeasurements& seen, const Pose2& X_OB) const {
   if (side_) {
     const double held = seen.near_m(*side_);
-    const double other = seen.near_m(Other(*side_));
+    const double other = seen.near_m(OtherSide(*side_));
     const bool leave =
         held < config_.obstacle_distance_m && other > config_.side_switch_ratio * held;
-    return leave ? Other(*side_) : *side_;
+    return leave ? OtherSide(*side_) : *side_;
   }
   const double left = seen.near_m(Strip::kLeft);
   const double right = seen.near_m(Strip::kRight);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "control/base/waypoint_controller.h"
+#include "control/navigator/detour.h"
 #include "control/navigator/navigator_config.h"
 #include "control/navigator/obstacle_memory.h"
 #include "control/navigator/scene_view.h"
@@ -52,13 +53,12 @@ struct NavigatorDecision {
 /// - Corridor test: "central" is the strip of ground that the robot would sweep on its way to the
 ///   current target, not a part of the image.
 /// - Memory: what has left the narrow view still stands there for a while. What one view alone has
-///   seen is planned round, but nothing far away is avoided because of it.
+///   seen far away is kept clear of, but neither avoided nor planned round further on.
 /// - Target in front: what lies beyond the current target is not in its way.
 /// - Stop distance: never forward into something near ahead; only turning is left, and the next
 ///   view moves the waypoint on to the freer side.
-/// - Free direction: where a waypoint at +-pi/10 has something in the way to it, the next multiples
-///   of that angle are tried; of the free ones the one is taken from which the way to the goal,
-///   through what is known, is the shortest (CostToGo).
+/// - Free direction: not +-pi/10 alone but its multiples are tried, each as far as it is free; the
+///   one with the shortest way to the goal through what is known is taken (ShortestDetour).
 /// - Side hold: the side is changed only for a clearly freer one, so that the robot does not
 /// dither.
 /// - Blind: no motion before the first view or with one that is too old.
@@ -93,11 +93,6 @@ class Navigator {
   /// What is in the way to the current target and beside it, for a view taken at X_OB.
   StripMeasurements LookAhead(const SceneView& view, const hardware::Pose2& X_OB) const;
   void Avoid(const StripMeasurements& seen, const hardware::Pose2& X_OB);
-  /// A way round: which side, and by how much off the robot's heading.
-  struct Detour {
-    Strip side;
-    double turn_rad = 0;
-  };
   Detour ChooseDetour(const StripMeasurements& seen, const hardware::Pose2& X_OB,
                       double distance_m) const;
   /// kLeft or kRight.

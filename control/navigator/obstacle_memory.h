@@ -50,7 +50,7 @@ class ObstacleMemory {
   /// Which cells to go by.
   enum class Certainty {
     kConfirmed,  ///< those that count (confirm_beyond_m): to act upon
-    kAny,        ///< all: to plan round
+    kAny,        ///< all: to keep clear of
   };
 
   /// Centres of the remembered cells, in the base frame at pose `X_OB` [m].

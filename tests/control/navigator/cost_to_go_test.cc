@@ -52,5 +52,20 @@ TEST(CostToGo, BeyondTheGridTheStraightWayIsAdded) {
   EXPECT_NEAR(cost.From({-11.5, 0}), 12.5, 0.2);
 }
 
+TEST(CostToGo, GoalBeyondItsReachCostsTheWayThereAndTheRestStraight) {
+  const auto wall = Wall(1.5, -1, 0.5);
+  const CostToGo near(wall, {0, 0}, {10, 0});
+  const CostToGo far(wall, {0, 0}, {1e6, 0});
+  EXPECT_NEAR(far.From({0, 0}) - near.From({0, 0}), 1e6 - 10, 1e-6);
+  EXPECT_LT(far.From({1, 0.8}), far.From({1, -0.8}));
+}
+
+TEST(CostToGo, PointsBeyondItsReachAreLeftOut) {
+  auto points = Wall(1.5, -1, 0.5);
+  const CostToGo without(points, {0, 0}, {3, 0});
+  points.emplace_back(1e6, -1e6);
+  EXPECT_EQ(CostToGo(points, {0, 0}, {3, 0}).From({0, 0}), without.From({0, 0}));
+}
+
 }  // namespace
 }  // namespace horopter::control
