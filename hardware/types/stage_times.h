@@ -44,4 +44,11 @@ class StageTimes {
   std::map<std::string, std::vector<double>> samples_;
 };
 
+/// The same where somebody asked for times.
+template <typename Work>
+decltype(auto) MeasureIf(StageTimes* times, const std::string& stage, Work&& work) {
+  if (times == nullptr) return std::forward<Work>(work)();
+  return times->Measure(stage, std::forward<Work>(work));
+}
+
 }  // namespace horopter::hardware

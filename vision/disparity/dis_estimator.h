@@ -7,6 +7,7 @@
 
 #include "hardware/types/config_error.h"
 #include "vision/disparity/disparity_estimator.h"
+#include "vision/disparity/texture_check.h"
 
 namespace horopter::vision {
 
@@ -16,36 +17,31 @@ struct DisConfig {
   int preset = cv::DISOpticalFlow::PRESET_MEDIUM;
   /// Largest distance between a pixel and where its match points back to [px]; 0 = no check.
   double left_right_px = 1;
-  /// Deviation of the grey levels of a neighbourhood below which it is textureless: above the
-  /// sensor's noise.
-  double min_contrast_grey = 1.5;
-  /// Width of that neighbourhood: DIS matches patches of 8 px.
-  int contrast_window_px = 9;
+  TextureCheck texture;
 
   /// Every field that does not hold.
   std::vector<hardware::FieldError> Validate() const;
 
-  /// "medium", "fast" or "ultrafast".
+  /// "medium", "fast" or "ultrafast"; with "_unchecked" behind it one way only, without the
+  /// left-right check.
   /// @throws std::invalid_argument that lists the known names.
   static DisConfig Preset(std::string_view name);
 };
 
 /// The peer: OpenCV's DIS optical flow (Kroeger et al., ECCV 2016) from left to right.
 ///
-/// DIS itself fills every pixel; invalid here is what has no texture, leaves the right image, or
-/// fails the left-right check. Images with a side under 16 px give no valid pixel. Confidence is 1
-/// where valid: DIS does not report any.
+/// Invalid and confidence as DisparityByFlow() says: DIS itself fills every pixel and reports none.
 class DisEstimator final : public DisparityEstimator {
  public:
   /// @throws ConfigError naming every bad field.
   explicit DisEstimator(const DisConfig& config);
 
-  DisparityField Estimate(const cv::Mat& left, const cv::Mat& right) override;
+  using DisparityEstimator::Estimate;
+  DisparityField Estimate(const cv::Mat& left, const cv::Mat& right,
+                          hardware::StageTimes* times) override;
   std::string_view name() const override { return "dis"; }
 
  private:
-  DisparityField Flow(const cv::Mat1b& from, const cv::Mat1b& to) const;
-
   DisConfig config_;
 };
 

@@ -4,6 +4,8 @@
 #include <opencv2/core/mat.hpp>
 #include <string_view>
 
+#include "hardware/types/stage_times.h"
+#include "hardware/types/stereo_frame.h"
 #include "vision/disparity/disparity_field.h"
 
 namespace horopter::vision {
@@ -18,7 +20,16 @@ class DisparityEstimator {
  public:
   virtual ~DisparityEstimator() = default;
 
-  virtual DisparityField Estimate(const cv::Mat& left, const cv::Mat& right) = 0;
+  /// @param times receives the milliseconds of the method's stages; may be null
+  virtual DisparityField Estimate(const cv::Mat& left, const cv::Mat& right,
+                                  hardware::StageTimes* times) = 0;
+  DisparityField Estimate(const cv::Mat& left, const cv::Mat& right) {
+    return Estimate(left, right, nullptr);
+  }
+  DisparityField Estimate(const hardware::StereoFrame& frame) {
+    return Estimate(frame.left.bgr, frame.right.bgr, nullptr);
+  }
+
   virtual std::string_view name() const = 0;
 };
 

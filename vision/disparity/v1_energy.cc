@@ -48,15 +48,20 @@ bool Inside(float x, float y, cv::Size size) {
 V1EnergyEstimator::V1EnergyEstimator(const V1Config& config)
     : config_(Checked(config)), bank_(config), population_(config) {}
 
-DisparityField V1EnergyEstimator::Estimate(const cv::Mat& left, const cv::Mat& right) {
+DisparityField V1EnergyEstimator::Estimate(const cv::Mat& left, const cv::Mat& right,
+                                           hardware::StageTimes* times) {
   CheckPair(left, right);
-  const CellPyramid left_cells = Filter(left);
-  const CellPyramid right_cells = Filter(right);
-  DisparityField field = CoarseToFine(left_cells, right_cells);
-  if (config_.left_right_px > 0) {
-    const DisparityField back = CoarseToFine(right_cells, left_cells);
-    CheckLeftRight(back, config_.left_right_px, field);
-  }
+  CellPyramid left_cells, right_cells;
+  hardware::MeasureIf(times, "simple cells", [&] {
+    left_cells = Filter(left);
+    right_cells = Filter(right);
+  });
+  DisparityField field, back;
+  hardware::MeasureIf(times, "coarse to fine", [&] {
+    field = CoarseToFine(left_cells, right_cells);
+    if (config_.left_right_px > 0) back = CoarseToFine(right_cells, left_cells);
+  });
+  if (config_.left_right_px > 0) CheckLeftRight(back, config_.left_right_px, field);
   if (config_.min_segment_px > 1) {
     InvalidateSmallSegments(config_.min_segment_px, config_.segment_step_px, field);
   }

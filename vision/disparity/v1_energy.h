@@ -27,7 +27,9 @@ class V1EnergyEstimator final : public DisparityEstimator {
   /// @throws ConfigError naming every bad field.
   explicit V1EnergyEstimator(const V1Config& config);
 
-  DisparityField Estimate(const cv::Mat& left, const cv::Mat& right) override;
+  using DisparityEstimator::Estimate;
+  DisparityField Estimate(const cv::Mat& left, const cv::Mat& right,
+                          hardware::StageTimes* times) override;
   std::string_view name() const override { return "v1"; }
 
  private:

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/disparity/v1_closed_form.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <cstring>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <tuple>
+
+#include "textured_pair.h"
+
+namespace horopter::vision {
+namespace {
+
+using testing::ScoreWarp;
+using testing::ShiftedPair;
+using testing::SyntheticPair;
+using testing::WarpedPair;
+using testing::WarpScore;
+
+const cv::Size kSize(192, 144);
+
+cv::Matx33d Shift(double dx, double dy) { return {1, 0, dx, 0, 1, dy, 0, 0, 1}; }
+
+ClosedFormConfig Preset(const std::string& name) { return V1Config::Preset(name).closed_form; }
+
+DisparityField Estimate(const ClosedFormConfig& config, const SyntheticPair& pair,
+                        const std::string& kernels = "") {
+  return V1ClosedFormEstimator(config, kernels).Estimate(pair.left, pair.right);
+}
+
+void ExpectSameBits(const DisparityField& a, const DisparityField& b) {
+  for (const auto& [one, other] : {std::pair<cv::Mat, cv::Mat>{a.dx, b.dx},
+                                   {a.dy, b.dy},
+                                   {a.confidence, b.confidence},
+                                   {a.valid, b.valid}}) {
+    ASSERT_EQ(one.size(), other.size());
+    for (int y = 0; y < one.rows; ++y) {
+      ASSERT_EQ(std::memcmp(one.ptr(y), other.ptr(y), one.cols * one.elemSize()), 0) << "row " << y;
+    }
+  }
+}
+
+/// A shift of some length in one of 8 directions.
+class KnownShiftInClosedForm : public ::testing::TestWithParam<std::tuple<double, int>> {};
+
+TEST_P(KnownShiftInClosedForm, IsRecoveredToSubPixel) {
+  const auto [length, direction] = GetParam();
+  const double dx = length * std::cos(direction * M_PI / 4);
+  const double dy = length * std::sin(direction * M_PI / 4);
+  const SyntheticPair pair = ShiftedPair(kSize, dx, dy);
+  for (const char* preset : {"accurate", "fast"}) {
+    const WarpScore score = ScoreWarp(Estimate(Preset(preset), pair), Shift(dx, dy));
+    EXPECT_LT(score.median_error_px, 0.05) << preset;
+    EXPECT_GT(score.density, 0.9) << preset;
+  }
+  const WarpScore score = ScoreWarp(Estimate(Preset("realtime"), pair), Shift(dx, dy));
+  EXPECT_LT(score.median_error_px, 0.1);
+  EXPECT_GT(score.density, 0.85);
+}
+
+INSTANTIATE_TEST_SUITE_P(V1ClosedForm, KnownShiftInClosedForm,
+                         ::testing::Combine(::testing::Values(0.25, 1.3, 7.6, 20.0),
+                                            ::testing::Range(0, 8)));
+
+/// Disparities far from zero, of which nothing is known beforehand.
+class FarShift : public ::testing::TestWithParam<std::tuple<int, int>> {};
+
+TEST_P(FarShift, IsFoundAsIfItWereNear) {
+  const auto [dx, dy] = GetParam();
+  const cv::Size size(400, 160);
+  const SyntheticPair pair = ShiftedPair(size, dx, dy);
+  const WarpScore score = ScoreWarp(Estimate(Preset("accurate"), pair), Shift(dx, dy));
+  EXPECT_LT(score.median_error_px, 0.05);
+  EXPECT_GT(score.density, 0.85);
+}
+
+INSTANTIATE_TEST_SUITE_P(V1ClosedForm, FarShift,
+                         ::testing::Combine(::testing::Values(-200, -90, 110, 200),
+                                            ::testing::Values(-30, 0, 30)));
+
+TEST(V1ClosedForm, FollowsAZoomAndARotation) {
+  const double angle = 0.03, zoom = 1.04;
+  const cv::Matx33d centre(1, 0, kSize.width / 2.0, 0, 1, kSize.height / 2.0, 0, 0, 1);
+  const cv::Matx33d turn(zoom * std::cos(angle), -zoom * std::sin(angle), 2.5,
+                         zoom * std::sin(angle), zoom * std::cos(angle), -1.2, 0, 2e-5, 1);
+  const cv::Matx33d H = centre * turn * centre.inv();
+  const WarpScore score = ScoreWarp(Estimate(Preset("accurate"), WarpedPair(kSize, H)), H);
+  EXPECT_LT(score.median_error_px, 0.05);
+  EXPECT_GT(score.density, 0.9);
+}
+
+TEST(V1ClosedForm, IsIndifferentToTheExposureOfOneEye) {
+  const SyntheticPair pair = ShiftedPair(kSize, 5.4, -1.2);
+  for (const double gain : {0.5, 0.8, 1.5}) {
+    SyntheticPair changed = pair;
+    cv::Mat1b right;
+    changed.right.convertTo(right, CV_8U, gain);
+    changed.right = right;
+    const WarpScore score = ScoreWarp(Estimate(Preset("accurate"), changed), Shift(5.4, -1.2));
+    EXPECT_LT(score.median_error_px, 0.06) << gain;
+    EXPECT_GT(score.density, 0.85) << gain;
+  }
+}
+
+TEST(V1ClosedForm, UnrelatedImagesMatchNowhere) {
+  const SyntheticPair one = ShiftedPair(kSize, 0, 0, 1), other = ShiftedPair(kSize, 0, 0, 2);
+  const DisparityField field = Estimate(Preset("accurate"), {one.left, other.right});
+  EXPECT_LT(cv::countNonZero(field.valid), 0.02 * kSize.area());
+}
+
+TEST(V1ClosedForm, PlainImagesMatchNowhere) {
+  const SyntheticPair plain{cv::Mat1b(kSize, 90), cv::Mat1b(kSize, 90)};
+  EXPECT_EQ(cv::countNonZero(Estimate(Preset("accurate"), plain).valid), 0);
+}
+
+TEST(V1ClosedForm, EveryInstructionSetGivesTheSameBits) {
+  const SyntheticPair pair = ShiftedPair({203, 111}, -7.3, 2.6);
+  for (const char* preset : {"accurate", "fast", "realtime"}) {
+    const DisparityField portable = Estimate(Preset(preset), pair, "portable");
+    for (const std::string_view kernels : UsableKernels()) {
+      SCOPED_TRACE(std::string(preset) + " " + std::string(kernels));
+      ExpectSameBits(portable, Estimate(Preset(preset), pair, std::string(kernels)));
+    }
+  }
+  for (const char* set : {"avx2", "avx512"}) {
+    try {
+      SelectKernels(set);
+    } catch (const std::invalid_argument&) {
+      GTEST_SKIP() << "this processor has no " << set << ": not compared";
+    }
+  }
+}
+
+TEST(V1ClosedForm, IsTheSameOnAnyNumberOfThreads) {
+  const SyntheticPair pair = ShiftedPair({320, 240}, 9.2, 1.1);
+  DisparityField one_thread;
+  {
+    const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
+    one_thread = Estimate(Preset("accurate"), pair);
+  }
+  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 5);
+  ExpectSameBits(one_thread, Estimate(Preset("accurate"), pair));
+}
+
+TEST(V1ClosedForm, RemembersNothingOfEarlierPairs) {
+  V1ClosedFormEstimator used(Preset("accurate"));
+  for (const cv::Size size : {cv::Size(160, 120), cv::Size(97, 211), cv::Size(64, 48)}) {
+    const SyntheticPair pair = ShiftedPair(size, 3.5, 0.5);
+    ExpectSameBits(Estimate(Preset("accurate"), pair), used.Estimate(pair.left, pair.right));
+  }
+}
+
+TEST(V1ClosedForm, AnySizeGivesAField) {
+  for (const char* preset : {"accurate", "realtime"}) {
+    V1ClosedFormEstimator estimator(Preset(preset));
+    for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 50), cv::Size(50, 1), cv::Size(2, 3),
+                                cv::Size(7, 9), cv::Size(17, 16), cv::Size(33, 65)}) {
+      for (const int type : {CV_8UC1, CV_8UC3}) {
+        cv::Mat left(size, type), right(size, type);
+        cv::RNG rng(7);
+        rng.fill(left, cv::RNG::UNIFORM, 0, 256);
+        rng.fill(right, cv::RNG::UNIFORM, 0, 256);
+        const DisparityField field = estimator.Estimate(left, right);
+        EXPECT_EQ(field.dx.size(), size) << preset;
+        EXPECT_EQ(field.valid.size(), size) << preset;
+      }
+    }
+  }
+}
+
+TEST(V1ClosedForm, BooksItsStages) {
+  const SyntheticPair pair = ShiftedPair({64, 48}, 1, 0);
+  hardware::StageTimes times;
+  V1ClosedFormEstimator(Preset("fast")).Estimate(pair.left, pair.right, &times);
+  EXPECT_EQ(times.samples().count("simple cells"), 1U);
+  EXPECT_EQ(times.samples().count("coarse to fine"), 1U);
+}
+
+TEST(ClosedFormConfig, NamesEveryBadField) {
+  ClosedFormConfig config;
+  config.orientations = 5;
+  config.min_coherence = 1;
+  config.iterations = 0;
+  const auto errors = config.Validate();
+  ASSERT_EQ(errors.size(), 3U);
+  EXPECT_THROW(V1ClosedFormEstimator{config}, hardware::ConfigError);
+}
+
+TEST(SelectKernels, NamesWhatThisProcessorRuns) {
+  EXPECT_EQ(SelectKernels("portable").name, "portable");
+  try {
+    SelectKernels("neon");
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("portable"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace horopter::vision

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/disparity/v1_closed_form.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include "vision/disparity/fill_in.h"
+#include "vision/disparity/image_pair.h"
+#include "vision/disparity/left_right_check.h"
+#include "vision/disparity/pyramid.h"
+#include "vision/disparity/small_segments.h"
+
+namespace horopter::vision {
+namespace {
+
+ClosedFormConfig Checked(const ClosedFormConfig& config) {
+  hardware::ThrowIfAny(config.Validate());
+  return config;
+}
+
+/// Two functions at once, where the second is asked for.
+template <typename First, typename Second>
+void Both(bool also_second, First first, Second second) {
+  if (also_second) {
+    tbb::parallel_invoke(first, second);
+  } else {
+    first();
+  }
+}
+
+/// A field of an octave in the pixels of the image, for every one of them.
+void Enlarge(int octave, cv::Size size, DisparityField& field) {
+  for (; octave > 0; --octave) {
+    // Halving rounded up, once for each octave left.
+    const int scale = 1 << (octave - 1);
+    const cv::Size finer((size.width + scale - 1) / scale, (size.height + scale - 1) / scale);
+    field.dx = UpsampleDisparity(field.dx, finer);
+    field.dy = UpsampleDisparity(field.dy, finer);
+    field.confidence = UpsampleNearest(field.confidence, finer);
+    field.valid = UpsampleNearest(field.valid, finer);
+  }
+}
+
+}  // namespace
+
+V1ClosedFormEstimator::V1ClosedFormEstimator(const ClosedFormConfig& config,
+                                             std::string_view kernels)
+    : config_(Checked(config)),
+      bank_(config),
+      kernels_(SelectKernels(kernels)),
+      there_(config, bank_, kernels_),
+      back_(config, bank_, kernels_) {}
+
+DisparityField V1ClosedFormEstimator::Estimate(const cv::Mat& left, const cv::Mat& right,
+                                               hardware::StageTimes* times) {
+  CheckPair(left, right);
+  const bool check = config_.left_right_px > 0;
+  DisparityField field;
+  hardware::MeasureIf(times, "simple cells", [&] {
+    const auto build = [this](ViewPyramid& view, const cv::Mat& image) {
+      view.Build(image, config_.search_octave + 1, config_.finest_octave, bank_, kernels_);
+    };
+    tbb::parallel_invoke([&] { build(left_, left); }, [&] { build(right_, right); });
+  });
+  hardware::MeasureIf(times, "coarse to fine", [&] {
+    Both(
+        check, [&] { there_.Run(left_, right_, field); },
+        [&] { back_.Run(right_, left_, reverse_); });
+  });
+  hardware::MeasureIf(times, "checks", [&] {
+    const double pixel = 1 << config_.finest_octave;
+    InvalidateOutside(field);
+    if (check) CheckLeftRight(reverse_, config_.left_right_px / pixel, field);
+    if (config_.min_segment_px > 1) {
+      InvalidateSmallSegments(static_cast<int>(config_.min_segment_px / (pixel * pixel)),
+                              config_.segment_step_px / pixel, field);
+    }
+  });
+  hardware::MeasureIf(times, "enlarge",
+                      [&] { Enlarge(config_.finest_octave, left.size(), field); });
+  BlankInvalid(field);
+  if (config_.fill_in) {
+    hardware::MeasureIf(times, "fill-in", [&] { FillIn(left, {}, field); });
+  }
+  return field;
+}
+
+}  // namespace horopter::vision

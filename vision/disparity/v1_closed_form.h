@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "vision/disparity/candidate_search.h"
+#include "vision/disparity/disparity_estimator.h"
+#include "vision/disparity/v1_config.h"
+#include "vision/disparity/view_pyramid.h"
+
+namespace horopter::vision {
+
+/// Vector disparity by the binocular energy model in closed form: what V1EnergyEstimator reads from
+/// a population of phase-shifted cells is here one complex product for each orientation, and what
+/// it decodes at each pixel apart is here found by competition of neighbours' hypotheses.
+///
+/// Invalid is: what has too little pooled binocular correlation, matches outside the right image,
+/// what the reverse direction does not confirm, and small islands. Confidence is the pooled
+/// correlation. Disparities of up to +-search_x_px, +-search_y_px are found without any prior.
+/// Not for use from two threads at once: buffers are kept from pair to pair.
+class V1ClosedFormEstimator final : public DisparityEstimator {
+ public:
+  /// @throws ConfigError naming every bad field
+  /// @param kernels as SelectKernels takes them; "" = the best there are
+  explicit V1ClosedFormEstimator(const ClosedFormConfig& config, std::string_view kernels = "");
+
+  V1ClosedFormEstimator(const V1ClosedFormEstimator&) = delete;
+  V1ClosedFormEstimator& operator=(const V1ClosedFormEstimator&) = delete;
+
+  using DisparityEstimator::Estimate;
+  DisparityField Estimate(const cv::Mat& left, const cv::Mat& right,
+                          hardware::StageTimes* times) override;
+  std::string_view name() const override { return "v1"; }
+
+ private:
+  ClosedFormConfig config_;
+  CellBank bank_;
+  const ClosedFormKernels& kernels_;
+  ViewPyramid left_, right_;
+  CandidateSearch there_, back_;
+  DisparityField reverse_;
+};
+
+}  // namespace horopter::vision

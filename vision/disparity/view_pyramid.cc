@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/disparity/view_pyramid.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "vision/disparity/image_pair.h"
+
+namespace horopter::vision {
+namespace {
+
+constexpr int kLeastSide = 2;
+
+cv::Mat1f GreyOf(ViewOctave& octave) { return {octave.height, octave.width, octave.grey.data()}; }
+
+}  // namespace
+
+void ViewPyramid::Build(const cv::Mat& image, int octaves, int finest, const CellBank& bank,
+                        const ClosedFormKernels& kernels) {
+  octaves_.resize(std::max<std::size_t>(octaves_.size(), octaves));
+  octaves_[0].width = image.cols;
+  octaves_[0].height = image.rows;
+  octaves_[0].colour = image;
+  octaves_[0].grey.Resize(image.cols, image.rows);
+  cv::Mat1f grey = GreyOf(octaves_[0]);
+  ToGrey(image).convertTo(grey, CV_32F);
+  size_ = 1;
+  while (size_ < octaves) {
+    const ViewOctave& last = octaves_[size_ - 1];
+    if (std::min(last.width, last.height) < 2 * kLeastSide) break;
+    Halve(size_++);
+  }
+  for (int i = std::min(finest, size_ - 1); i < size_; ++i) {
+    ViewOctave& octave = octaves_[i];
+    bank.Apply(kernels, octave.grey.data(), octave.width, octave.height, octave.cells);
+    FindEdges(octave.colour, octave.edges);
+  }
+}
+
+void ViewPyramid::Halve(int index) {
+  ViewOctave& from = octaves_[index - 1];
+  ViewOctave& to = octaves_[index];
+  to.width = (from.width + 1) / 2;
+  to.height = (from.height + 1) / 2;
+  to.grey.Resize(to.width, to.height);
+  cv::Mat1f grey = GreyOf(to);
+  cv::pyrDown(GreyOf(from), grey, grey.size(), cv::BORDER_REPLICATE);
+  cv::pyrDown(from.colour, to.colour, grey.size(), cv::BORDER_REPLICATE);
+}
+
+}  // namespace horopter::vision

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "vision/disparity/cell_image.h"
+#include "vision/disparity/edge_map.h"
+
+namespace horopter::vision {
+
+/// One octave of one eye's image, as the search reads it.
+struct ViewOctave {
+  int width = 0;
+  int height = 0;
+  PaddedMap<float> grey;
+  cv::Mat colour;  ///< CV_8UC1 or CV_8UC3
+  CellImage cells;
+  EdgeMap edges;
+};
+
+/// The octaves of an eye's image: [1 4 6 4 1]/16 and every second pixel, pixel (x, y) of one on
+/// (2x, 2y) of the one before. Buffers are kept from image to image.
+class ViewPyramid {
+ public:
+  /// @param image CV_8UC1 or CV_8UC3
+  /// @param octaves at most so many, none with a side under 2 px but the first
+  /// @param finest octaves below it get no cells
+  void Build(const cv::Mat& image, int octaves, int finest, const CellBank& bank,
+             const ClosedFormKernels& kernels);
+
+  int size() const { return size_; }
+  const ViewOctave& operator[](int octave) const { return octaves_[octave]; }
+
+ private:
+  void Halve(int octave);
+
+  int size_ = 0;
+  std::vector<ViewOctave> octaves_;
+};
+
+}  // namespace horopter::vision
