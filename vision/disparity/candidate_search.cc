@@ -13,6 +13,9 @@ namespace {
 
 constexpr int kColumnsAtOnce = 16;
 constexpr int kRowsAtOnce = 8;
+/// Rows whose lanes are pooled downwards while they are still in the cache.
+constexpr int kStripRows = 16;
+constexpr int kStripColumns = 128;
 
 /// Candidates in the order in which they fill lanes; lanes left over repeat the pixel's own.
 class CandidateList {
@@ -86,6 +89,26 @@ void CandidateSearch::ForColumns(Loop loop) const {
   });
 }
 
+template <typename Fill>
+void CandidateSearch::FillLanes(const PoolingWeights& weights, Fill fill) {
+  const ColumnPool columns = Columns(weights);
+  for (int begin = 0; begin < height_; begin += kStripRows) {
+    const int end = std::min(begin + kStripRows, height_);
+    tbb::parallel_for(tbb::blocked_range<int>(begin, end, kRowsAtOnce), [&](const auto& rows) {
+      for (int y = rows.begin(); y < rows.end(); ++y) {
+        const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y) * width_;
+        fill(y);
+        kernels_.pool_row(lanes_.data() + row * kLanes, from_->edges.x.data() + row, weights,
+                          width_);
+      }
+    });
+    tbb::parallel_for(tbb::blocked_range<int>(0, width_, kStripColumns),
+                      [&](const auto& columns_x) {
+                        kernels_.pool_down(columns, begin, end, columns_x.begin(), columns_x.end());
+                      });
+  }
+}
+
 void CandidateSearch::Run(const ViewPyramid& from, const ViewPyramid& to, DisparityField& field) {
   const int coarsest = std::min(config_.search_octave, from.size() - 1);
   const int finest = std::min(config_.finest_octave, coarsest);
@@ -99,7 +122,7 @@ void CandidateSearch::Run(const ViewPyramid& from, const ViewPyramid& to, Dispar
       if (octave >= config_.explore_from && octave <= config_.explore_to) Explore();
     }
     for (int i = 0; i < config_.iterations; ++i) {
-      if (i < config_.rounds) CompeteWithNeighbours(i);
+      if (i < config_.rounds) CompeteWithNeighbours(i == 0 && octave >= config_.try_steps_from);
       Smooth();
       Refine();
     }
@@ -199,7 +222,7 @@ void CandidateSearch::Explore() {
   TakeWinners();
 }
 
-void CandidateSearch::CompeteWithNeighbours(int round) {
+void CandidateSearch::CompeteWithNeighbours(bool try_steps) {
   CandidateList list;
   bool first = true;
   const auto finish = [&] {
@@ -218,7 +241,7 @@ void CandidateSearch::CompeteWithNeighbours(int round) {
     add(0, -distance, 0, 0);
     if (distance != config_.neighbour_px[3]) add(0, distance, 0, 0);
   }
-  if (round == 0 && config_.try_steps) {
+  if (try_steps) {
     constexpr int kStep = 2 * kHypothesisSteps;
     for (const int y : {-kStep, 0, kStep}) {
       for (const int x : {-kStep, 0, kStep}) {
@@ -238,10 +261,7 @@ void CandidateSearch::Compete(const Candidates& candidates, bool first) {
                             .tables = &bank_.tables(),
                             .candidates = &candidates,
                             .scores = lanes_.data()};
-  ForRows([&](int y) {
-    kernels_.score_neighbours(score, y);
-    PoolRows(score_weights_, y);
-  });
+  FillLanes(score_weights_, [&](int y) { kernels_.score_neighbours(score, y); });
   KeepTask keep = Keep(first);
   keep.candidates = &candidates;
   keep.old_dx = field_.dx.data();
@@ -260,10 +280,7 @@ void CandidateSearch::CompeteShifts(int first_dx, int last_dx, int move_y, bool 
                           .first_dx = dx,
                           .move_y = move_y,
                           .scores = lanes_.data()};
-    ForRows([&](int y) {
-      kernels_.score_shifts(score, y);
-      PoolRows(score_weights_, y);
-    });
+    FillLanes(score_weights_, [&](int y) { kernels_.score_shifts(score, y); });
     KeepTask keep = Keep(first);
     keep.first_dx = dx;
     keep.move_y = move_y;
@@ -288,10 +305,7 @@ KeepTask CandidateSearch::Keep(bool first) {
 void CandidateSearch::Refine() {
   const ProductTask product{from_->cells.view(), to_->cells.view(), field_.dx.data(),
                             field_.dy.data(),    &bank_.tables(),   lanes_.data()};
-  ForRows([&](int y) {
-    kernels_.multiply_row(product, y);
-    PoolRows(product_weights_, y);
-  });
+  FillLanes(product_weights_, [&](int y) { kernels_.multiply_row(product, y); });
   SolveTask solve{};
   solve.pool = Columns(product_weights_);
   solve.orientations = bank_.orientations();
@@ -355,11 +369,6 @@ void CandidateSearch::QuantiseHypotheses() {
       hypothesis_y_.data()[i] = quantise(field_.dy.data()[i]);
     }
   });
-}
-
-void CandidateSearch::PoolRows(const PoolingWeights& weights, int y) {
-  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y) * width_;
-  kernels_.pool_row(lanes_.data() + row * kLanes, from_->edges.x.data() + row, weights, width_);
 }
 
 ColumnPool CandidateSearch::Columns(const PoolingWeights& weights) {

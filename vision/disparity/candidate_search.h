@@ -53,7 +53,7 @@ class CandidateSearch {
   float SampleQuantile(double share);
   void Double(int from_width, int from_height);
   void Explore();
-  void CompeteWithNeighbours(int round);
+  void CompeteWithNeighbours(bool try_steps);
   void Compete(const Candidates& candidates, bool first);
   void CompeteShifts(int first_dx, int last_dx, int move_y, bool from_field, bool first);
   void Refine();
@@ -61,7 +61,9 @@ class CandidateSearch {
   void Median();
   void TakeWinners();
   void QuantiseHypotheses();
-  void PoolRows(const PoolingWeights& weights, int y);
+  /// Lanes of every row by `fill(y)`, pooled along the row and down the columns.
+  template <typename Fill>
+  void FillLanes(const PoolingWeights& weights, Fill fill);
   KeepTask Keep(bool first);
   ColumnPool Columns(const PoolingWeights& weights);
   template <typename Loop>

@@ -98,7 +98,8 @@ struct ProductTask {
   std::int16_t* products;  ///< L conj(R): real parts, imaginary parts; 0 outside
 };
 
-/// Pooling along columns, with the step that consumes the pooled lanes.
+/// Lanes pooled along rows and down the columns; the way back up is the consumer's, which has each
+/// pixel's final lanes at hand then.
 struct ColumnPool {
   std::int16_t* lanes;
   int width, height;
@@ -154,6 +155,7 @@ struct ClosedFormKernels {
   void (*score_shifts)(const ShiftTask&, int y);
   void (*multiply_row)(const ProductTask&, int y);
   void (*pool_row)(std::int16_t* row, const std::uint8_t* edge_x, const PoolingWeights&, int width);
+  void (*pool_down)(const ColumnPool&, int y_begin, int y_end, int x_begin, int x_end);
   void (*keep_best)(const KeepTask&, int x_begin, int x_end);
   void (*solve)(const SolveTask&, int x_begin, int x_end);
   void (*smooth_row)(const SmoothTask&, int y, float* scratch);

@@ -262,14 +262,12 @@ inline void PoolRow(std::int16_t* row, const std::uint8_t* edge_x, const Pooling
   }
 }
 
-inline void PoolDown(const ColumnPool& p, int x_begin, int x_end) {
+inline void PoolDown(const ColumnPool& p, int y_begin, int y_end, int x_begin, int x_end) {
   const std::int64_t row = std::int64_t{p.width} * kLanes;
-  constexpr int kAhead = 6;  // rows are too far apart for the processor to fetch them by itself
-  for (int y = 1; y < p.height; ++y) {
+  for (int y = std::max(1, y_begin); y < y_end; ++y) {
     const std::uint8_t* edge = p.edge_y + std::int64_t{y} * p.width;
     for (int x = x_begin; x < x_end; ++x) {
       std::int16_t* lanes = p.lanes + y * row + x * kLanes;
-      __builtin_prefetch(lanes + std::min(kAhead, p.height - 1 - y) * row, 1);
       const S16 own = LoadLanes(lanes), above = LoadLanes(lanes - row);
       StoreLanes(lanes, own + MulQ15(above - own, Splat((*p.weights)[edge[x]])));
     }
@@ -280,6 +278,9 @@ inline void PoolDown(const ColumnPool& p, int x_begin, int x_end) {
 inline S16 PoolUp(const ColumnPool& p, int x, int y) {
   const std::int64_t row = std::int64_t{p.width} * kLanes;
   std::int16_t* lanes = p.lanes + y * row + x * kLanes;
+  // Rows are too far apart for the processor to fetch the next one by itself.
+  constexpr int kAhead = 6;
+  __builtin_prefetch(lanes - std::min(kAhead, y) * row, 1);
   const S16 own = LoadLanes(lanes);
   if (y + 1 == p.height) return own;
   const S16 below = LoadLanes(lanes + row);
@@ -326,7 +327,6 @@ inline std::int64_t SourceAtBorder(const KeepTask& t, int x, int y, int lane) {
 }
 
 inline void KeepBest(const KeepTask& t, int x_begin, int x_end) {
-  PoolDown(t.pool, x_begin, x_end);
   const Winners winners = MakeWinners(t);
   const int width = t.pool.width, height = t.pool.height, margin = Margin(t);
   const bool inner_columns = x_begin >= margin && x_end <= width - margin;
@@ -429,7 +429,6 @@ inline Steps IntersectConstraints(const SolveTask& t, const S16 (&products)[8]) 
 }
 
 inline void Solve(const SolveTask& t, int x_begin, int x_end) {
-  PoolDown(t.pool, x_begin, x_end);
   S16 pixels[kFloats] = {}, products[kFloats];
   for (int y = t.pool.height - 1; y >= 0; --y) {
     for (int x = x_begin; x < x_end; x += kFloats) {
@@ -501,8 +500,8 @@ inline void SmoothAcrossRows(const SmoothTask& t, int y) {
 }
 
 inline constexpr ClosedFormKernels MakeKernels(std::string_view name) {
-  return {name,    FilterRow, ScoreNeighbours, ScoreShifts, MultiplyRow,
-          PoolRow, KeepBest,  Solve,           SmoothRow,   SmoothAcrossRows};
+  return {name,     FilterRow, ScoreNeighbours, ScoreShifts, MultiplyRow,     PoolRow,
+          PoolDown, KeepBest,  Solve,           SmoothRow,   SmoothAcrossRows};
 }
 
 }  // namespace horopter::vision::HOROPTER_KERNELS

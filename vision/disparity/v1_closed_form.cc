@@ -17,6 +17,11 @@ ClosedFormConfig Checked(const ClosedFormConfig& config) {
   return config;
 }
 
+ClosedFormConfig Reverse(ClosedFormConfig config) {
+  config.finest_octave += config.reverse_octaves;
+  return config;
+}
+
 /// Two functions at once, where the second is asked for.
 template <typename First, typename Second>
 void Both(bool also_second, First first, Second second) {
@@ -27,12 +32,16 @@ void Both(bool also_second, First first, Second second) {
   }
 }
 
-/// A field of an octave in the pixels of the image, for every one of them.
-void Enlarge(int octave, cv::Size size, DisparityField& field) {
-  for (; octave > 0; --octave) {
-    // Halving rounded up, once for each octave left.
-    const int scale = 1 << (octave - 1);
-    const cv::Size finer((size.width + scale - 1) / scale, (size.height + scale - 1) / scale);
+/// The size of an octave of an image: halved and rounded up, so many times.
+cv::Size OctaveSize(cv::Size image, int octave) {
+  const int scale = 1 << octave;
+  return {(image.width + scale - 1) / scale, (image.height + scale - 1) / scale};
+}
+
+/// A field of one octave in the pixels of a finer one, for every one of them.
+void Enlarge(int octave, int to_octave, cv::Size image, DisparityField& field) {
+  for (; octave > to_octave; --octave) {
+    const cv::Size finer = OctaveSize(image, octave - 1);
     field.dx = UpsampleDisparity(field.dx, finer);
     field.dy = UpsampleDisparity(field.dy, finer);
     field.confidence = UpsampleNearest(field.confidence, finer);
@@ -48,7 +57,7 @@ V1ClosedFormEstimator::V1ClosedFormEstimator(const ClosedFormConfig& config,
       bank_(config),
       kernels_(SelectKernels(kernels)),
       there_(config, bank_, kernels_),
-      back_(config, bank_, kernels_) {}
+      back_(Reverse(config), bank_, kernels_) {}
 
 DisparityField V1ClosedFormEstimator::Estimate(const cv::Mat& left, const cv::Mat& right,
                                                hardware::StageTimes* times) {
@@ -69,14 +78,18 @@ DisparityField V1ClosedFormEstimator::Estimate(const cv::Mat& left, const cv::Ma
   hardware::MeasureIf(times, "checks", [&] {
     const double pixel = 1 << config_.finest_octave;
     InvalidateOutside(field);
-    if (check) CheckLeftRight(reverse_, config_.left_right_px / pixel, field);
+    if (check) {
+      Enlarge(config_.finest_octave + config_.reverse_octaves, config_.finest_octave, left.size(),
+              reverse_);
+      CheckLeftRight(reverse_, config_.left_right_px / pixel, field);
+    }
     if (config_.min_segment_px > 1) {
       InvalidateSmallSegments(static_cast<int>(config_.min_segment_px / (pixel * pixel)),
                               config_.segment_step_px / pixel, field);
     }
   });
   hardware::MeasureIf(times, "enlarge",
-                      [&] { Enlarge(config_.finest_octave, left.size(), field); });
+                      [&] { Enlarge(config_.finest_octave, 0, left.size(), field); });
   BlankInvalid(field);
   if (config_.fill_in) {
     hardware::MeasureIf(times, "fill-in", [&] { FillIn(left, {}, field); });

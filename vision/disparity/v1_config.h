@@ -57,8 +57,9 @@ struct ClosedFormConfig {
   std::array<int, 4> neighbour_px = {1, 4, 14, 44};
   /// Competitions for each octave.
   int rounds = 2;
-  /// Also disparities 2 px from the pixel's own compete, in the first round.
-  bool try_steps = true;
+  /// Also disparities 2 px from the pixel's own compete, in the first round of octaves from this
+  /// one on.
+  int try_steps_from = 0;
   /// What the pixel's own hypothesis has ahead of others, as a part of perfect correlation: without
   /// it a slanted surface becomes stairs of equally good hypotheses.
   double favour_own = 0.02;
@@ -99,6 +100,9 @@ struct ClosedFormConfig {
   /// Largest distance between a pixel and where its match points back to [px]; 0 = no check, and
   /// half the time.
   double left_right_px = 0.8;
+  /// How many octaves coarser than the field the reverse direction stops. Each takes three quarters
+  /// off its time; a disparity half as sharp still finds what only one eye sees.
+  int reverse_octaves = 0;
   /// Smallest segment of smooth disparity that is kept [px], and the largest step inside one.
   int min_segment_px = 200;
   double segment_step_px = 1;
