@@ -66,7 +66,7 @@ class SimBackend final : public Backend {
       : room_(RoomOf(scenario)),
         simulation_(ConfigOf(scenario, robot, room_), times),
         mounts_(simulation_.world(), FaultsOf(scenario.faults)),
-        cameras_(simulation_.cameras(), FaultsOf(scenario.faults), scenario.seed),
+        cameras_(simulation_.cameras(), FaultsOf(scenario.faults)),
         truth_(simulation_, times) {
     mounts_.Update(simulation_.clock().Now());
     simulation_.OnStep([this](const sim::World&) { mounts_.Update(simulation_.clock().Now()); });

@@ -63,8 +63,10 @@ KoalaSimulation::KoalaSimulation(const KoalaSimulationConfig& config, hardware::
   plant_ = std::make_unique<KoalaPlant>(*world_, config.plant);
   Settle();
   for (const auto& [body, X_OBody] : config.X_OBody) world_->PlaceBody(body, X_WO_ * X_OBody);
-  const SimCamerasConfig cameras{
-      .model = {config.camera, config.camera}, .profile = config.profile, .seed = config.seed};
+  const SimCamerasConfig cameras{.model = {config.camera, config.camera},
+                                 .profile = config.profile,
+                                 .seed = config.seed,
+                                 .faults = config.head.faults};
   const cv::Size render_size = cameras.RenderSize();
   RendererOptions options;
   options.gl_backend = config.gl_backend;

@@ -35,7 +35,8 @@ void NaoSimulation::MakeDevices(hardware::StageTimes& times) {
   const SimCamerasConfig cameras{.mjcf_camera = {CameraName(Eye::kLeft), CameraName(Eye::kRight)},
                                  .model = {config_.camera, config_.camera},
                                  .profile = config_.profile,
-                                 .seed = config_.seed};
+                                 .seed = config_.seed,
+                                 .faults = config_.head.faults};
   const cv::Size render_size = cameras.RenderSize();
   RendererOptions options;
   options.gl_backend = config_.gl_backend;

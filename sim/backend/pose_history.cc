@@ -16,9 +16,8 @@ PoseHistory::PoseHistory(World& world, const hardware::PerEye<std::string>& mjcf
 }
 
 void PoseHistory::Record(Time t, bool keep_world) {
-  turns_.push_back({t,
-                    {world_.X_WCamera(mjcf_camera_.left).linear(),
-                     world_.X_WCamera(mjcf_camera_.right).linear()}});
+  places_.push_back(
+      {t, {world_.X_WCamera(mjcf_camera_.left), world_.X_WCamera(mjcf_camera_.right)}});
   if (!keep_world) return;
   WorldPoses poses;
   if (!spare_.empty()) {
@@ -30,7 +29,7 @@ void PoseHistory::Record(Time t, bool keep_world) {
 }
 
 void PoseHistory::ForgetBefore(Time t) {
-  while (turns_.size() > 1 && turns_[1].t <= t) turns_.pop_front();
+  while (places_.size() > 1 && places_[1].t <= t) places_.pop_front();
   while (states_.size() > 1 && states_[1].t <= t) {
     spare_.push_back(std::move(states_.front().poses));
     states_.pop_front();
@@ -44,21 +43,22 @@ WorldPoses& PoseHistory::WorldOf(Time t) {
   return after == states_.begin() ? after->poses : (after - 1)->poses;
 }
 
-Eigen::Matrix3d PoseHistory::RotationAt(Eye eye, Time t) const {
-  const auto at = std::lower_bound(turns_.begin(), turns_.end(), t,
-                                   [](const Turn& turn, Time value) { return turn.t < value; });
-  return at == turns_.end() ? turns_.back().R_WC[eye] : at->R_WC[eye];
+hardware::Pose PoseHistory::PoseAt(Eye eye, Time t) const {
+  const auto at = std::lower_bound(places_.begin(), places_.end(), t,
+                                   [](const Place& place, Time value) { return place.t < value; });
+  return at == places_.end() ? places_.back().X_WC[eye] : at->X_WC[eye];
 }
 
 EyeMotion PoseHistory::Motion(Eye eye, Time middle, hardware::Duration half) const {
   EyeMotion motion;
   if (half.count() == 0) return motion;
-  const Eigen::Matrix3d R_MW = RotationAt(eye, middle).transpose();
-  for (std::size_t i = 0; i < turns_.size(); ++i) {
-    const bool ends_before = i + 1 < turns_.size() && turns_[i + 1].t <= middle - half;
-    const bool begins_after = i > 0 && turns_[i - 1].t >= middle + half;
+  const hardware::Pose X_MW = PoseAt(eye, middle).inverse();
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const bool ends_before = i + 1 < places_.size() && places_[i + 1].t <= middle - half;
+    const bool begins_after = i > 0 && places_[i - 1].t >= middle + half;
     if (ends_before || begins_after) continue;
-    motion.Add(hardware::ToSeconds(turns_[i].t - middle), R_MW * turns_[i].R_WC[eye]);
+    const hardware::Pose X_MC = X_MW * places_[i].X_WC[eye];
+    motion.Add(hardware::ToSeconds(places_[i].t - middle), X_MC.linear(), X_MC.translation());
   }
   return motion;
 }

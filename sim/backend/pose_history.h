@@ -14,7 +14,7 @@
 
 namespace horopter::sim {
 
-/// What a pair of cameras must remember to show the past: how each turned at every physics step,
+/// What a pair of cameras must remember to show the past: where each was at every physics step,
 /// and the whole world at the instants that were asked for.
 ///
 /// Before its first entry the world is taken to have rested.
@@ -23,7 +23,7 @@ class PoseHistory {
   /// @param mjcf_camera names of the cameras; @throws SceneError when the world lacks one
   PoseHistory(World& world, const hardware::PerEye<std::string>& mjcf_camera);
 
-  /// Records the cameras' orientation at `t`, and the world's poses where `keep_world`.
+  /// Records the cameras' poses at `t`, and the world's poses where `keep_world`.
   /// @pre t later than all before
   void Record(hardware::Time t, bool keep_world);
 
@@ -33,23 +33,24 @@ class PoseHistory {
   /// The world as it was kept at `t`, or at the last kept instant before. @pre one was recorded
   WorldPoses& WorldOf(hardware::Time t);
 
-  /// How an eye turned from `middle - half` to `middle + half`, with a sample beyond either end.
+  /// How an eye turned and moved from `middle - half` to `middle + half`, with a sample beyond
+  /// either end.
   EyeMotion Motion(hardware::Eye eye, hardware::Time middle, hardware::Duration half) const;
 
  private:
-  struct Turn {
+  struct Place {
     hardware::Time t;
-    hardware::PerEye<Eigen::Matrix3d> R_WC;
+    hardware::PerEye<hardware::Pose> X_WC;
   };
   struct State {
     hardware::Time t;
     WorldPoses poses;
   };
-  Eigen::Matrix3d RotationAt(hardware::Eye eye, hardware::Time t) const;
+  hardware::Pose PoseAt(hardware::Eye eye, hardware::Time t) const;
 
   World& world_;
   hardware::PerEye<std::string> mjcf_camera_;
-  std::deque<Turn> turns_;
+  std::deque<Place> places_;
   std::deque<State> states_;
   std::vector<WorldPoses> spare_;  ///< of forgotten states, to use their memory again
 };

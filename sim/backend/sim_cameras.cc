@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace horopter::sim {
 namespace {
 
 using hardware::Duration;
 using hardware::Eye;
+using hardware::EyeImage;
 using hardware::FromSeconds;
 using hardware::PerEye;
 using hardware::StereoFrame;
@@ -25,12 +27,7 @@ PerEye<Duration> Lags(const TimingProfile& timing, Duration half_window, Duratio
                            : PerEye<Duration>{newest, newest + skew};
 }
 
-StereoFrame Copy(const StereoFrame& frame) {
-  StereoFrame copy = frame;
-  copy.left.bgr = frame.left.bgr.clone();
-  copy.right.bgr = frame.right.bgr.clone();
-  return copy;
-}
+EyeImage Copy(const EyeImage& image) { return {image.bgr.clone(), image.t_capture}; }
 
 }  // namespace
 
@@ -50,7 +47,8 @@ SimCameras::SimCameras(World& world, Renderer& renderer, SimClock& clock,
       renderer_(renderer),
       clock_(clock),
       times_(times),
-      history_(world, config.mjcf_camera) {
+      history_(world, config.mjcf_camera),
+      faults_(config.faults, config.seed) {
   for (const Eye eye : hardware::kBothEyes) {
     eye_[eye].emplace(config.model[eye], config.profile, config.seed, config.mjcf_camera[eye]);
   }
@@ -77,8 +75,12 @@ void SimCameras::Remember() {
   const bool captured = CapturedNow(now);
   history_.Record(now, captured);
   if (!captured) return;
-  const FrameTimes oldest = timing_->At(timing_->ShownBy(timing_->NewestDelivered(now)));
-  history_.ForgetBefore(std::min(oldest.t_capture.left, oldest.t_capture.right) - half_window_);
+  const std::uint64_t newest = timing_->NewestDelivered(now);
+  Time oldest = now;
+  for (const Eye eye : hardware::kBothEyes) {
+    oldest = std::min(oldest, timing_->At(ShownBy(eye, newest)).t_capture[eye]);
+  }
+  history_.ForgetBefore(oldest - half_window_);
 }
 
 bool SimCameras::CapturedNow(Time now) {
@@ -97,44 +99,71 @@ SimCameras::Plan SimCameras::PlanFrame() {
   const Time now = clock_.Now();
   Plan plan;
   if (!timing_) {
-    plan.sequence = plan.noise = sequence_++;
+    plan.sequence = sequence_++;
+    plan.noise = {plan.sequence, plan.sequence};
     plan.t_capture = {now - lag_.left, now - lag_.right};
     plan.t_delivered = now;
     return plan;
   }
   plan.sequence = timing_->NewestDelivered(now);
-  plan.noise = timing_->ShownBy(plan.sequence);
-  plan.t_capture = timing_->At(plan.noise).t_capture;
+  for (const Eye eye : hardware::kBothEyes) {
+    plan.noise[eye] = ShownBy(eye, plan.sequence);
+    plan.t_capture[eye] = timing_->At(plan.noise[eye]).t_capture[eye];
+  }
   plan.t_delivered = timing_->At(plan.sequence).t_delivered;
   return plan;
+}
+
+std::uint64_t SimCameras::ShownBy(Eye eye, std::uint64_t frame) const {
+  const auto arrives = [&](std::uint64_t n) {
+    const FrameTimes times = timing_->At(n);
+    return !times.dropped && !faults_.Loses(eye, n, times.t_capture[eye]);
+  };
+  while (frame > 0 && !arrives(frame)) --frame;
+  return timing_->ShownBy(frame);
+}
+
+bool SimCameras::HasSeen(Eye eye, const Plan& plan) const {
+  if (!last_[eye]) return false;
+  if (timing_) return last_noise_[eye] == plan.noise[eye];
+  return faults_.Loses(eye, plan.sequence, plan.t_capture[eye]);
 }
 
 hardware::Result<StereoFrame> SimCameras::Grab() {
   if (const auto allowed = Require("Grab", false); !allowed.ok()) return allowed.error();
   const Plan plan = PlanFrame();
   StereoFrame frame;
-  if (timing_ && last_ && last_noise_ == plan.noise) {
-    frame = Copy(*last_);
-  } else {
-    frame.left = See(Eye::kLeft, plan);
-    frame.right = See(Eye::kRight, plan);
-  }
   frame.sequence = plan.sequence;
   frame.t_delivered = plan.t_delivered;
-  if (timing_) last_ = Copy(frame);
-  last_noise_ = plan.noise;
+  const bool repeats = timing_ || !config_.faults.empty();
+  for (const Eye eye : hardware::kBothEyes) {
+    EyeImage& image = eye == Eye::kLeft ? frame.left : frame.right;
+    if (HasSeen(eye, plan)) {
+      image = Copy(*last_[eye]);
+      continue;
+    }
+    image = See(eye, plan);
+    if (repeats) last_[eye] = Copy(image);
+    last_noise_[eye] = plan.noise[eye];
+  }
   return frame;
 }
 
-hardware::EyeImage SimCameras::See(Eye eye, const Plan& plan) {
+EyeImage SimCameras::See(Eye eye, const Plan& plan) {
   const Time t = plan.t_capture[eye];
   EyeCamera& camera = *eye_[eye];
   EyeMotion motion;
-  cv::Mat3b view;
+  std::vector<ViewPlan> plans;
+  std::vector<LensView> views;
   WorldPoses& poses = at_capture_[eye] ? *at_capture_[eye] : at_capture_[eye].emplace();
   const auto render = [&] {
-    const hardware::Pose X_WC = world_.X_WCamera(config_.mjcf_camera[eye]);
-    view = renderer_.Render(X_WC, camera.View(motion), {}, &times_).bgr;
+    plans = camera.Views(motion);
+    const hardware::Pose X_WM = world_.X_WCamera(config_.mjcf_camera[eye]);
+    for (const ViewPlan& plan : plans) {
+      RenderedView seen = renderer_.Render(X_WM * motion.PoseAt(plan.t_s), plan.camera,
+                                           {.depth = plan.needs_depth}, &times_);
+      views.push_back({seen.bgr, seen.depth});
+    }
   };
   if (t == clock_.Now()) {
     poses.Save(world_);
@@ -145,7 +174,12 @@ hardware::EyeImage SimCameras::See(Eye eye, const Plan& plan) {
     const WorldAt past(world_, poses);
     render();
   }
-  return {times_.Measure("sensor", [&] { return camera.Develop(view, motion, plan.noise); }), t};
+  return {times_.Measure("sensor",
+                         [&] {
+                           return camera.Develop(plans, views, motion, plan.noise[eye],
+                                                 faults_.Light(eye, t));
+                         }),
+          t};
 }
 
 void SimCameras::AtCapture(Eye eye, const std::function<void()>& look) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hardware/interfaces/camera_pair.h"
 #include "hardware/types/camera_model.h"
@@ -16,6 +17,7 @@
 #include "sim/camera/camera_profile.h"
 #include "sim/camera/eye_camera.h"
 #include "sim/camera/frame_timing.h"
+#include "sim/faults/frame_faults.h"
 #include "sim/render/renderer.h"
 #include "sim/world/world.h"
 
@@ -30,6 +32,7 @@ struct SimCamerasConfig {
   hardware::PerEye<hardware::CameraModel> model;
   CameraProfile profile;
   std::uint64_t seed = 1;
+  std::vector<Fault> faults{};  ///< of which dark eyes and lost frames count here
 
   /// What a renderer must be able to draw for these cameras: RendererOptions' width and height.
   /// @throws hardware::ConfigError when the profile does not hold or no pinhole covers a view
@@ -41,7 +44,8 @@ struct SimCamerasConfig {
 /// Without a frame rate there is a frame at every physics step, and each Grab() is a new one, of
 /// the instant that lies the profile's latency back. With a rate the cameras run freely: Grab()
 /// gives the newest frame that has been delivered, and the same one again until the next is there;
-/// a repeated frame has a number of its own and the images and capture times of the one before.
+/// a repeated frame has a number of its own and the images and capture times of the one before, and
+/// so has an eye whose frame is lost. Without a rate only frames that are grabbed can be lost.
 ///
 /// Only frames that are asked for are rendered: the poses of the capture instant are kept until
 /// then. Both images are of one physics state unless the profile has skew. Capture times are whole
@@ -68,11 +72,15 @@ class SimCameras final : public SimDevice<hardware::CameraPair> {
   /// One frame to be seen: when by each eye, when it came, and which noise it has.
   struct Plan {
     std::uint64_t sequence = 0;
-    std::uint64_t noise = 0;
+    hardware::PerEye<std::uint64_t> noise;
     hardware::PerEye<hardware::Time> t_capture;
     hardware::Time t_delivered{};
   };
   Plan PlanFrame();
+  /// The frame whose exposure an eye shows in a delivered one, at a rate.
+  std::uint64_t ShownBy(hardware::Eye eye, std::uint64_t frame) const;
+  /// Whether the newest image of an eye is the planned one.
+  bool HasSeen(hardware::Eye eye, const Plan& plan) const;
   void Remember();
   /// Whether a frame of the rate is captured now.
   bool CapturedNow(hardware::Time now);
@@ -89,10 +97,11 @@ class SimCameras final : public SimDevice<hardware::CameraPair> {
   hardware::Duration half_window_;
   /// Without a rate: how far back the captures lie.
   hardware::PerEye<hardware::Duration> lag_;
-  std::uint64_t sequence_ = 0;                 ///< of the next Grab(), without a rate
-  std::uint64_t next_captured_ = 0;            ///< first frame not captured yet, with a rate
-  std::optional<hardware::StereoFrame> last_;  ///< the newest frame that was given out
-  std::uint64_t last_noise_ = 0;
+  std::uint64_t sequence_ = 0;       ///< of the next Grab(), without a rate
+  std::uint64_t next_captured_ = 0;  ///< first frame not captured yet, with a rate
+  FrameFaults faults_;
+  hardware::PerEye<std::optional<hardware::EyeImage>> last_;  ///< what was given out
+  hardware::PerEye<std::uint64_t> last_noise_{};              ///< its noise
   hardware::PerEye<std::optional<WorldPoses>> at_capture_;
 };
 

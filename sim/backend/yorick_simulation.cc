@@ -36,7 +36,8 @@ void YorickSimulation::MakeDevices(hardware::StageTimes& times) {
         .mjcf_camera = {CameraName(pair, Eye::kLeft), CameraName(pair, Eye::kRight)},
         .model = {model, model},
         .profile = config_.profile,
-        .seed = config_.seed};
+        .seed = config_.seed,
+        .faults = config_.head.faults};
   };
   const SimCamerasConfig peripheral = cameras_of(YorickPair::kPeripheral);
   const SimCamerasConfig foveal = cameras_of(YorickPair::kFoveal);

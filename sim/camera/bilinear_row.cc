@@ -26,6 +26,14 @@ struct Source {
   float last_x;
   float last_y;
   const float* h;  ///< homography, column by column
+  const float* e;  ///< by which inverse depths shift
+};
+
+/// Where a row's samples lie, as BilinearRow::Add() is given them.
+struct Row {
+  const float* x;
+  const float* y;
+  const float* w;  ///< null: no parallax
 };
 
 #ifdef __SSE2__
@@ -56,12 +64,21 @@ struct FourPlaces {
   alignas(16) std::int32_t below[4];
 };
 
-inline void FindFour(const Source& from, const float* x4, const float* y4, FourPlaces& to) {
+template <bool kParallax>
+inline void FindFour(const Source& from, const Row& row, int i, FourPlaces& to) {
   const float* h = from.h;
-  const __m128 x = _mm_loadu_ps(x4), y = _mm_loadu_ps(y4);
-  const __m128 scale = _mm_div_ps(_mm_set1_ps(1), Affine(x, y, h[2], h[5], h[8]));
-  const __m128i u = Fixed(_mm_mul_ps(Affine(x, y, h[0], h[3], h[6]), scale), from.last_x);
-  const __m128i v = Fixed(_mm_mul_ps(Affine(x, y, h[1], h[4], h[7]), scale), from.last_y);
+  const __m128 x = _mm_loadu_ps(row.x + i), y = _mm_loadu_ps(row.y + i);
+  __m128 p = Affine(x, y, h[0], h[3], h[6]), q = Affine(x, y, h[1], h[4], h[7]);
+  __m128 r = Affine(x, y, h[2], h[5], h[8]);
+  if constexpr (kParallax) {
+    const __m128 w = _mm_loadu_ps(row.w + i);
+    p = _mm_add_ps(p, _mm_mul_ps(w, _mm_set1_ps(from.e[0])));
+    q = _mm_add_ps(q, _mm_mul_ps(w, _mm_set1_ps(from.e[1])));
+    r = _mm_add_ps(r, _mm_mul_ps(w, _mm_set1_ps(from.e[2])));
+  }
+  const __m128 scale = _mm_div_ps(_mm_set1_ps(1), r);
+  const __m128i u = Fixed(_mm_mul_ps(p, scale), from.last_x);
+  const __m128i v = Fixed(_mm_mul_ps(q, scale), from.last_y);
   const __m128i one = _mm_set1_epi32(kOne), fraction = _mm_set1_epi32(kOne - 1);
   const __m128i right = _mm_and_si128(u, fraction), left = _mm_sub_epi32(one, right);
   const __m128i down = _mm_and_si128(v, fraction), up = _mm_sub_epi32(one, down);
@@ -88,11 +105,12 @@ inline void AddSample(const Source& from, const FourPlaces& places, int k, std::
   _mm_storeu_si128(to, _mm_add_epi32(_mm_loadu_si128(to), _mm_add_epi32(above, below)));
 }
 
-/// @pre x, y and sum go on for up to three values beyond `count`
-void AddSamples(const Source& from, const float* x, const float* y, int count, std::int32_t* sum) {
+/// @pre the row's values and sum go on for up to three values beyond `count`
+template <bool kParallax>
+void AddSamples(const Source& from, const Row& row, int count, std::int32_t* sum) {
   FourPlaces places;
   for (int i = 0; i < count; i += 4) {
-    FindFour(from, x + i, y + i, places);
+    FindFour<kParallax>(from, row, i, places);
     for (int k = 0; k < 4; ++k) AddSample(from, places, k, sum + 4 * (i + k));
   }
 }
@@ -103,12 +121,14 @@ int Fixed(float position, float last) {
   return static_cast<int>(std::clamp(position, 0.0F, last) * kOne + 0.5F);
 }
 
-void AddSamples(const Source& from, const float* x, const float* y, int count, std::int32_t* sum) {
-  const float* h = from.h;
+template <bool kParallax>
+void AddSamples(const Source& from, const Row& row, int count, std::int32_t* sum) {
+  const float *h = from.h, *e = from.e;
   for (int i = 0; i < count; ++i) {
-    const float scale = 1.0F / (h[2] * x[i] + h[5] * y[i] + h[8]);
-    const int u = Fixed((h[0] * x[i] + h[3] * y[i] + h[6]) * scale, from.last_x);
-    const int v = Fixed((h[1] * x[i] + h[4] * y[i] + h[7]) * scale, from.last_y);
+    const float x = row.x[i], y = row.y[i], w = kParallax ? row.w[i] : 0;
+    const float scale = 1.0F / (h[2] * x + h[5] * y + h[8] + w * e[2]);
+    const int u = Fixed((h[0] * x + h[3] * y + h[6] + w * e[0]) * scale, from.last_x);
+    const int v = Fixed((h[1] * x + h[4] * y + h[7] + w * e[1]) * scale, from.last_y);
     const int right = u & (kOne - 1), left = kOne - right;
     const int down = v & (kOne - 1), up = kOne - down;
     const std::uint8_t* above =
@@ -131,13 +151,21 @@ void BilinearRow::Start(int width) {
   sum_.assign(4 * RoundedUp(width), 0);
 }
 
-void BilinearRow::Add(const cv::Mat3b& image, const Eigen::Matrix3f& H, const float* x,
-                      const float* y) {
+void BilinearRow::Add(const cv::Mat3b& image, const Eigen::Matrix3f& H, const Eigen::Vector3f& e,
+                      const float* x, const float* y, const float* w) {
   CV_Assert(image.cols >= 4 && image.rows >= 2 && image.rows <= kLargestSide &&
             image.step <= static_cast<std::size_t>(3 * kLargestSide));
-  const Source source{image.ptr(), static_cast<int>(image.step), image.cols - 3 + kAlmostOne,
-                      image.rows - 2 + kAlmostOne, H.data()};
-  AddSamples(source, x, y, width_, sum_.data());
+  const Source source{image.ptr(),
+                      static_cast<int>(image.step),
+                      image.cols - 3 + kAlmostOne,
+                      image.rows - 2 + kAlmostOne,
+                      H.data(),
+                      e.data()};
+  if (w == nullptr) {
+    AddSamples<false>(source, {x, y, w}, width_, sum_.data());
+  } else {
+    AddSamples<true>(source, {x, y, w}, width_, sum_.data());
+  }
   ++count_;
 }
 

@@ -29,7 +29,14 @@ class BilinearRow {
   /// @param image from 4 x 2 pixels up to kLargestSide
   /// @param H homography from (x, y, 1) to pixels of `image`
   /// @param x, y RoundedUp(width) readable values each
-  void Add(const cv::Mat3b& image, const Eigen::Matrix3f& H, const float* x, const float* y);
+  void Add(const cv::Mat3b& image, const Eigen::Matrix3f& H, const float* x, const float* y) {
+    Add(image, H, Eigen::Vector3f::Zero(), x, y, nullptr);
+  }
+
+  /// Adds image(H (x_i, y_i, 1) + w_i e): seen from another place, at inverse depths w.
+  /// @param w RoundedUp(width) readable values, or null where they are all zero
+  void Add(const cv::Mat3b& image, const Eigen::Matrix3f& H, const Eigen::Vector3f& e,
+           const float* x, const float* y, const float* w);
 
   /// Means of what was added, rounded, three values per pixel. @pre at least one Add()
   void Store(std::uint8_t* row) const;

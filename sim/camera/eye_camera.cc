@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace horopter::sim {
 namespace {
@@ -12,7 +13,13 @@ namespace {
 using hardware::CameraModel;
 
 constexpr double kFastestTurn_rad_s = 10;
+constexpr double kFastestMove_m_s = 1;
 constexpr double kVisible_px = 0.002;
+/// A shift of what is this near says how many views a moving eye needs.
+constexpr double kNear_m = 0.5;
+/// Less parallax than this is left out.
+constexpr double kVisibleParallax_px = 0.02;
+constexpr int kMostBands = 16;
 
 /// A profile that holds, or ConfigError: the members after it rely on that.
 const CameraProfile& Checked(const CameraProfile& profile) {
@@ -30,7 +37,8 @@ bool IsPinhole(const CameraModel& model) {
 EyeMotion FastestTurn(const Eigen::Vector3d& axis, double window_s) {
   EyeMotion motion;
   for (const double t_s : {-window_s / 2, window_s / 2}) {
-    motion.Add(t_s, Eigen::AngleAxisd(kFastestTurn_rad_s * t_s, axis).toRotationMatrix());
+    motion.Add(t_s, Eigen::AngleAxisd(kFastestTurn_rad_s * t_s, axis).toRotationMatrix(),
+               kFastestMove_m_s * t_s * axis.cross(Eigen::Vector3d::UnitZ()));
   }
   return motion;
 }
@@ -49,12 +57,14 @@ EyeCamera::EyeCamera(const CameraModel& model, const CameraProfile& profile, std
       distorts_(!IsPinhole(model)),
       lens_(model, exposure_) {
   TanBounds widest = lens_.map().bounds();
-  still_view_ = distorts_ ? CoveringPinhole(model, lens_.Bounds({}), {kNoLimit, kNoLimit}) : model;
+  still_view_ =
+      distorts_ ? CoveringPinhole(model, lens_.Bounds(lens_.AllRows(), {}), {kNoLimit, kNoLimit})
+                : model;
   largest_view_ = {still_view_->width(), still_view_->height()};
   if (exposure_.window_s() == 0) return;
   for (const Eigen::Vector3d& axis : {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, -1, 0),
                                       Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0)}) {
-    widest.Include(lens_.Bounds(FastestTurn(axis, exposure_.window_s())));
+    widest.Include(lens_.Bounds(lens_.AllRows(), FastestTurn(axis, exposure_.window_s())));
   }
   const CameraModel covering = CoveringPinhole(model, widest, {kNoLimit, kNoLimit});
   largest_view_ = {covering.width(), covering.height()};
@@ -62,14 +72,44 @@ EyeCamera::EyeCamera(const CameraModel& model, const CameraProfile& profile, std
 
 bool EyeCamera::Still(const EyeMotion& motion) const {
   if (exposure_.window_s() == 0) return true;
-  const hardware::Intrinsics& in = model_.intrinsics();
-  return motion.LargestAngle() * std::max(in.fx, in.fy) < kVisible_px;
+  const double focal = std::max(model_.intrinsics().fx, model_.intrinsics().fy);
+  return motion.LargestAngle() * focal < kVisible_px &&
+         motion.LargestShift() * focal / kNear_m < kVisibleParallax_px;
 }
 
-CameraModel EyeCamera::View(const EyeMotion& motion) const {
-  if (Still(motion)) return *still_view_;
-  return CoveringPinhole(model_, lens_.Bounds(motion), largest_view_);
+std::vector<EyeCamera::Band> EyeCamera::Bands(double parallax_px) const {
+  if (parallax_px < kVisibleParallax_px) return {{lens_.AllRows(), 0}};
+  const int rows = model_.height();
+  if (exposure_.kind() == Shutter::kInterlaced) {
+    std::vector<Band> fields{{{0, rows, 2}, exposure_.Middle(0)}};
+    if (rows > 1) fields.push_back({{1, rows, 2}, exposure_.Middle(1)});
+    return fields;
+  }
+  const int count =
+      std::clamp(static_cast<int>(std::ceil(parallax_px)), 1, std::min(kMostBands, rows));
+  std::vector<Band> bands;
+  for (int i = 0; i < count; ++i) {
+    const int first = rows * i / count, end = rows * (i + 1) / count;
+    bands.push_back({{first, end}, (exposure_.Middle(first) + exposure_.Middle(end - 1)) / 2});
+  }
+  return bands;
 }
+
+std::vector<ViewPlan> EyeCamera::Views(const EyeMotion& motion) const {
+  if (Still(motion)) return {{lens_.AllRows(), 0, *still_view_, false}};
+  const double focal = std::max(model_.intrinsics().fx, model_.intrinsics().fy);
+  const double rows_apart_px = lens_.FarthestCentre(lens_.AllRows(), motion) * focal / kNear_m;
+  const bool moves = motion.LargestShift() * focal / kNear_m >= kVisibleParallax_px;
+  std::vector<ViewPlan> plans;
+  for (const Band& band : Bands(rows_apart_px)) {
+    const EyeMotion seen = motion.SeenFrom(motion.PoseAt(band.t_s));
+    plans.push_back({band.rows, band.t_s,
+                     CoveringPinhole(model_, lens_.Bounds(band.rows, seen), largest_view_), moves});
+  }
+  return plans;
+}
+
+CameraModel EyeCamera::View(const EyeMotion& motion) const { return Views(motion).front().camera; }
 
 cv::Mat3b EyeCamera::Scratch() {
   scratch_.create(model_.height(), model_.width());
@@ -77,20 +117,29 @@ cv::Mat3b EyeCamera::Scratch() {
 }
 
 cv::Mat3b EyeCamera::Develop(cv::Mat3b view, const EyeMotion& motion, std::uint64_t frame) {
+  const std::vector<ViewPlan> plans = Views(motion);
+  CV_Assert(plans.size() == 1 && !plans.front().needs_depth);
+  return Develop(plans, {{std::move(view), {}}}, motion, frame);
+}
+
+cv::Mat3b EyeCamera::Develop(const std::vector<ViewPlan>& plans, const std::vector<LensView>& views,
+                             const EyeMotion& motion, std::uint64_t frame, double light) {
+  CV_Assert(plans.size() == views.size() && !plans.empty());
   const bool still = Still(motion);
   const bool resample = distorts_ || !still;
-  cv::Mat3b image = resample || blur_px_ > 0 ? cv::Mat3b(model_.height(), model_.width()) : view;
-  cv::Mat3b sharp = view;
+  cv::Mat3b sharp = views.front().bgr;
+  cv::Mat3b image = resample || blur_px_ > 0 ? cv::Mat3b(model_.height(), model_.width()) : sharp;
   if (resample) {
     sharp = blur_px_ > 0 ? Scratch() : image;
-    const CameraModel pinhole = still ? *still_view_ : View(motion);
-    lens_.Resample(view, pinhole, still ? EyeMotion() : motion, sharp);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      lens_.Resample(plans[i], views[i], still ? EyeMotion() : motion, sharp);
+    }
   }
   if (blur_px_ > 0) {
     const int size = 2 * static_cast<int>(std::ceil(3 * blur_px_)) + 1;
     cv::GaussianBlur(sharp, image, {size, size}, blur_px_, blur_px_, cv::BORDER_REPLICATE);
   }
-  sensor_.Apply(frame, image);
+  sensor_.Apply(frame, image, light);
   return image;
 }
 

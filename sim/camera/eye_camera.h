@@ -5,6 +5,7 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "hardware/types/camera_model.h"
 #include "sim/camera/camera_profile.h"
@@ -12,6 +13,7 @@
 #include "sim/camera/lens_resampler.h"
 #include "sim/camera/row_exposure.h"
 #include "sim/camera/sensor_model.h"
+#include "sim/camera/view_plan.h"
 
 namespace horopter::sim {
 
@@ -30,23 +32,41 @@ class EyeCamera {
   const hardware::CameraModel& model() const { return model_; }
   const RowExposure& exposure() const { return exposure_; }
 
-  /// The size up to which View() may ask, while the eye turns no faster than 10 rad/s; in faster
-  /// turns the view gets coarser instead.
+  /// The size up to which Views() may ask, while the eye turns no faster than 10 rad/s and moves no
+  /// faster than 1 m/s; in faster motion the views get coarser instead.
   cv::Size largest_view() const { return largest_view_; }
 
-  /// The pinhole camera whose image Develop() needs, at the pose of the instant that `motion` is
-  /// about.
+  /// The views that Develop() needs. One at the instant that `motion` is about, unless the optical
+  /// centre moves while a shutter runs: then one for each interlaced field, or for each band of
+  /// rows at the instant of its middle, in which what is 0.5 m away shifts by at most 1 px up to
+  /// either end (in very fast motion by more: there are at most 16 bands).
+  std::vector<ViewPlan> Views(const EyeMotion& motion) const;
+
+  /// The pinhole camera of the one view that is needed when the optical centre rests.
   hardware::CameraModel View(const EyeMotion& motion) const;
 
-  /// @param view what View(motion) sees; may be changed, and its pixels become the result's where
-  ///        lens and shutter change nothing
+  /// @param plans Views(motion)
+  /// @param views what the cameras of the plans see from motion.PoseAt() of their instants, in the
+  ///        world of the instant that `motion` is about; may be changed, and the pixels become the
+  ///        result's where lens and shutter change nothing
   /// @param frame picks the noise
+  /// @param light share of it that reaches the sensor
   /// @return CV_8UC3 of the model's size, which nothing else refers to
+  cv::Mat3b Develop(const std::vector<ViewPlan>& plans, const std::vector<LensView>& views,
+                    const EyeMotion& motion, std::uint64_t frame, double light = 1);
+
+  /// Likewise from the one view that View(motion) sees.
   cv::Mat3b Develop(cv::Mat3b view, const EyeMotion& motion, std::uint64_t frame);
 
  private:
   /// Whether the motion moves no pixel by a visible amount while the image is exposed.
   bool Still(const EyeMotion& motion) const;
+  /// Rows and instant of each view.
+  struct Band {
+    RowBand rows;
+    double t_s;
+  };
+  std::vector<Band> Bands(double parallax_px) const;
   /// An image of the model's size that is kept from frame to frame.
   cv::Mat3b Scratch();
 

@@ -44,19 +44,15 @@ Time FrameTiming::Snap(Time t) const {
   return Time(static_cast<std::int64_t>(std::floor(steps + 0.5)) * step_);
 }
 
-double FrameTiming::Draw(std::uint64_t stream, std::uint64_t frame) {
-  constexpr double kUnit = 1.0 / (1ULL << 53);
-  return static_cast<double>(MixBits(stream ^ MixBits(frame)) >> 11) * kUnit;
-}
-
 FrameTimes FrameTiming::At(std::uint64_t frame) const {
   FrameTimes times;
   Duration early_or_late{}, delay{};
   if (frame > 0) {
-    early_or_late = FromSeconds(timing_.capture_jitter_s * (2 * Draw(capture_jitter_, frame) - 1));
-    delay = FromSeconds(timing_.delivery_jitter_s * Draw(delivery_jitter_, frame));
-    times.dropped = Draw(drop_, frame) < timing_.drop_probability;
-    times.repeated = Draw(repeat_, frame) < timing_.repeat_probability;
+    early_or_late =
+        FromSeconds(timing_.capture_jitter_s * (2 * UniformOf(capture_jitter_, frame) - 1));
+    delay = FromSeconds(timing_.delivery_jitter_s * UniformOf(delivery_jitter_, frame));
+    times.dropped = UniformOf(drop_, frame) < timing_.drop_probability;
+    times.repeated = UniformOf(repeat_, frame) < timing_.repeat_probability;
   }
   const Time left =
       start_ + FromSeconds(static_cast<double>(frame) / timing_.rate_hz) + early_or_late;

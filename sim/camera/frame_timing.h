@@ -43,8 +43,6 @@ class FrameTiming {
 
  private:
   hardware::Time Snap(hardware::Time t) const;
-  /// Uniform in [0, 1), for a frame of a stream.
-  static double Draw(std::uint64_t stream, std::uint64_t frame);
 
   TimingProfile timing_;
   hardware::Duration half_window_;

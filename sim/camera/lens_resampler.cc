@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "sim/camera/bilinear_row.h"
 
@@ -18,6 +19,8 @@ constexpr int kMostInstants = 96;
 constexpr double kCombTolerance_px = 1.0;
 /// A direction this far off the axis or beyond is taken to lie there, lest a bound be infinite.
 constexpr double kLeastCosine = 0.05;
+/// Of what a view must show though the eye is elsewhere [1/m].
+constexpr double kLargestInverseDepth = 1 / 0.2;
 
 Eigen::Matrix3d IntrinsicMatrix(const CameraModel& camera) {
   const hardware::Intrinsics& in = camera.intrinsics();
@@ -31,41 +34,50 @@ Eigen::Matrix3d IntrinsicMatrix(const CameraModel& camera) {
 LensResampler::LensResampler(const CameraModel& camera, const RowExposure& exposure)
     : map_(camera), exposure_(exposure) {}
 
-TanBounds LensResampler::Bounds(const EyeMotion& motion) const {
+TanBounds LensResampler::Bounds(const RowBand& rows, const EyeMotion& motion) const {
   constexpr int kRowStep = 4, kColumns = 9;
   TanBounds bounds;
-  const int width = camera().width(), height = camera().height();
+  const int width = camera().width();
+  const auto include = [&](const Eigen::Vector3d& ray) {
+    bounds.Include(ray.head<2>().array() / std::max(ray.z(), kLeastCosine));
+  };
   const auto include_row = [&](int row) {
     for (const double end : {-0.5, 0.5}) {
-      const Eigen::Matrix3d R_MC = motion.At(exposure_.Middle(row) + end * exposure_.time_s());
+      const EyePlace at = motion.At(exposure_.Middle(row) + end * exposure_.time_s());
       for (int k = 0; k < kColumns; ++k) {
         const Eigen::Vector3d ray =
-            R_MC * map_.Ray(row, k * (width - 1) / (kColumns - 1)).cast<double>();
-        bounds.Include(ray.head<2>().array() / std::max(ray.z(), kLeastCosine));
+            at.R_MC * map_.Ray(row, k * (width - 1) / (kColumns - 1)).cast<double>();
+        include(ray);
+        include(ray + kLargestInverseDepth * at.p_MC);
       }
     }
   };
-  for (int row = 0; row < height; row += kRowStep) include_row(row);
-  for (int row = std::max(0, height - 2); row < height; ++row) include_row(row);
+  for (int i = 0; i < rows.count(); i += kRowStep) include_row(rows.row(i));
+  for (int i = std::max(0, rows.count() - 2); i < rows.count(); ++i) include_row(rows.row(i));
   // Between the samples: a pixel, which is more than distorted rows bend or a saccade turns there;
   // another for the ends of a comb.
   const double pixel = (exposure_.time_s() > 0 ? 2 : 1) /
                        std::min(camera().intrinsics().fx, camera().intrinsics().fy);
   bounds.low -= pixel;
   bounds.high += pixel;
-  bounds.Include(map_.bounds());
+  if (rows.count() == camera().height()) bounds.Include(map_.bounds());
   return bounds;
 }
 
-Eigen::Vector2d LensResampler::Way(int row, int column, const Eigen::Matrix3d& K,
+Eigen::Vector2d LensResampler::Way(const Row& row, int column, const Eigen::Matrix3d& K,
                                    const EyeMotion& motion) const {
-  const double middle = exposure_.Middle(row), half = exposure_.time_s() / 2;
-  const Eigen::Vector3d ray = map_.Ray(row, column).cast<double>();
-  return (K * motion.At(middle + half) * ray).hnormalized() -
-         (K * motion.At(middle - half) * ray).hnormalized();
+  const double middle = exposure_.Middle(row.y), half = exposure_.time_s() / 2;
+  const Eigen::Vector3d ray = map_.Ray(row.y, column).cast<double>();
+  const double w = row.w == nullptr ? 0 : row.w[column];
+  const auto pixel = [&](double t_s) -> Eigen::Vector2d {
+    const EyePlace at = motion.At(t_s);
+    return (K * (at.R_MC * ray + w * at.p_MC)).hnormalized();
+  };
+  return pixel(middle + half) - pixel(middle - half);
 }
 
-int LensResampler::Instants(int row, const Eigen::Matrix3d& K, const EyeMotion& motion) const {
+int LensResampler::Instants(const Row& row, const Eigen::Matrix3d& K,
+                            const EyeMotion& motion) const {
   if (exposure_.time_s() == 0) return 1;
   double longest = 0;
   for (const int column : {0, camera().width() / 2, camera().width() - 1}) {
@@ -74,10 +86,10 @@ int LensResampler::Instants(int row, const Eigen::Matrix3d& K, const EyeMotion& 
   return std::clamp(static_cast<int>(std::ceil(longest / kInstantSpacing_px)), 1, kMostInstants);
 }
 
-LensResampler::RowPlan LensResampler::Plan(int row, const Eigen::Matrix3d& K,
-                                           const EyeMotion& motion, const MotionComb& comb) const {
+LensResampler::RowPlan LensResampler::Plan(const Row& row, const Eigen::Matrix3d& K,
+                                           const EyeMotion& motion) const {
   const int instants = Instants(row, K, motion);
-  for (int level = comb.levels() - 1; level > 0; --level) {
+  for (int level = comb_.levels() - 1; level > 0; --level) {
     const int taps = MotionComb::Taps(level);
     const int groups = (instants + taps - 1) / taps;
     if (groups < 2) continue;
@@ -85,42 +97,75 @@ LensResampler::RowPlan LensResampler::Plan(int row, const Eigen::Matrix3d& K,
     for (const int column : {0, camera().width() / 2, camera().width() - 1}) {
       const Eigen::Vector2d wanted =
           Way(row, column, K, motion) * (taps - 1) / static_cast<double>(taps * groups);
-      worst = std::max(worst, (wanted - comb.Extent(level)).norm());
+      worst = std::max(worst, (wanted - comb_.Extent(level)).norm());
     }
     if (worst > kCombTolerance_px) continue;
     // Spread the groups so that blur by them and by the comb is as wide as by all the instants.
     const double way2 = Way(row, camera().width() / 2, K, motion).squaredNorm();
     const double all = way2 / 12, spread = all * (1 - 1.0 / (groups * groups));
-    const double share = std::sqrt(std::max(0.0, all - comb.Variance(level)) / spread);
+    const double share = std::sqrt(std::max(0.0, all - comb_.Variance(level)) / spread);
     return {level, groups, std::clamp(share, 0.7, 1.3)};
   }
   return {0, instants, 1};
 }
 
-void LensResampler::Resample(const cv::Mat3b& view, const CameraModel& pinhole,
-                             const EyeMotion& motion, cv::Mat3b& image) const {
-  CV_Assert(view.cols == pinhole.width() && view.rows == pinhole.height());
+void LensResampler::SolveParallax(int y, const Eigen::Matrix3d& K, const EyeMotion& motion,
+                                  float* w) const {
+  const EyePlace at = motion.At(exposure_.Middle(y));
+  parallax_.Solve((K * at.R_MC).cast<float>(), (K * at.p_MC).cast<float>(), map_.x(y), map_.y(y),
+                  static_cast<int>(BilinearRow::RoundedUp(camera().width())), w);
+}
+
+double LensResampler::FarthestCentre(const RowBand& rows, const EyeMotion& motion) const {
+  double farthest_m = 0;
+  for (int i = 0; i < rows.count(); ++i) {
+    farthest_m = std::max(farthest_m, motion.At(exposure_.Middle(rows.row(i))).p_MC.norm());
+  }
+  return farthest_m;
+}
+
+void LensResampler::MakeComb(const ViewPlan& plan, const LensView& view, const Eigen::Matrix3d& K,
+                             const EyeMotion& motion) const {
+  std::vector<float> w(BilinearRow::RoundedUp(camera().width()));
+  const int middle_row = plan.rows.row(plan.rows.count() / 2);
+  if (plan.needs_depth) SolveParallax(middle_row, K, motion, w.data());
+  const Row row{middle_row, plan.needs_depth ? w.data() : nullptr};
+  const int instants = Instants(row, K, motion);
+  const Eigen::Vector2d step = Way(row, camera().width() / 2, K, motion) / instants;
+  comb_.Make(view.bgr, step, instants < 4 ? 1 : instants < 7 ? 2 : 3);
+}
+
+void LensResampler::Resample(const ViewPlan& plan, const LensView& view, const EyeMotion& motion,
+                             cv::Mat3b& image) const {
+  CV_Assert(view.bgr.cols == plan.camera.width() && view.bgr.rows == plan.camera.height());
   CV_Assert(image.cols == camera().width() && image.rows == camera().height());
-  const Eigen::Matrix3d K = IntrinsicMatrix(pinhole);
-  const int middle_row = image.rows / 2;
-  const int instants = Instants(middle_row, K, motion);
-  const Eigen::Vector2d step = Way(middle_row, image.cols / 2, K, motion) / instants;
-  comb_.Make(view, step, instants < 4 ? 1 : instants < 7 ? 2 : 3);
-  cv::parallel_for_(cv::Range(0, image.rows), [&](const cv::Range& rows) {
-    thread_local BilinearRow sampler;  // keeps its memory from frame to frame
-    for (int row = rows.start; row < rows.end; ++row) {
-      const RowPlan plan = Plan(row, K, motion, comb_);
+  const EyeMotion seen = motion.SeenFrom(motion.PoseAt(plan.t_s));
+  const Eigen::Matrix3d K = IntrinsicMatrix(plan.camera);
+  if (plan.needs_depth) {
+    CV_Assert(view.depth.size() == view.bgr.size());
+    parallax_.Make(view.depth, FarthestCentre(plan.rows, seen), plan.camera.intrinsics().fx);
+  }
+  MakeComb(plan, view, K, seen);
+  cv::parallel_for_(cv::Range(0, plan.rows.count()), [&](const cv::Range& part) {
+    thread_local BilinearRow sampler;  // these keep their memory from frame to frame
+    thread_local std::vector<float> w;
+    w.resize(BilinearRow::RoundedUp(image.cols));
+    for (int k = part.start; k < part.end; ++k) {
+      const int y = plan.rows.row(k);
+      if (plan.needs_depth) SolveParallax(y, K, seen, w.data());
+      const Row row{y, plan.needs_depth ? w.data() : nullptr};
+      const RowPlan sums = Plan(row, K, seen);
       Eigen::Matrix3d to_level = K;  // the comb's copies go from a place on; we want them around it
-      to_level.row(0) -= comb_.Extent(plan.level).x() / 2 * Eigen::RowVector3d::UnitZ();
-      to_level.row(1) -= comb_.Extent(plan.level).y() / 2 * Eigen::RowVector3d::UnitZ();
+      to_level.row(0) -= comb_.Extent(sums.level).x() / 2 * Eigen::RowVector3d::UnitZ();
+      to_level.row(1) -= comb_.Extent(sums.level).y() / 2 * Eigen::RowVector3d::UnitZ();
       sampler.Start(image.cols);
-      for (int i = 0; i < plan.instants; ++i) {
-        const double part = plan.share * ((i + 0.5) / plan.instants - 0.5);
-        const double t_s = exposure_.Middle(row) + part * exposure_.time_s();
-        const Eigen::Matrix3f H = (to_level * motion.At(t_s)).cast<float>();
-        sampler.Add(comb_.image(plan.level), H, map_.x(row), map_.y(row));
+      for (int i = 0; i < sums.instants; ++i) {
+        const double part_of = sums.share * ((i + 0.5) / sums.instants - 0.5);
+        const EyePlace at = seen.At(exposure_.Middle(y) + part_of * exposure_.time_s());
+        sampler.Add(comb_.image(sums.level), (to_level * at.R_MC).cast<float>(),
+                    (to_level * at.p_MC).cast<float>(), map_.x(y), map_.y(y), row.w);
       }
-      sampler.Store(image.ptr<std::uint8_t>(row));
+      sampler.Store(image.ptr<std::uint8_t>(y));
     }
   });
 }

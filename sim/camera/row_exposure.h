@@ -28,6 +28,7 @@ class RowExposure {
     return 0;
   }
 
+  Shutter kind() const { return kind_; }
   double time_s() const { return time_s_; }
   /// From the beginning of the first row's exposure to the end of the last row's.
   double window_s() const { return readout_s_ + time_s_; }

@@ -104,10 +104,12 @@ SensorModel::SensorModel(const CameraProfile& profile, const hardware::CameraMod
   }
 }
 
-void SensorModel::Expose(int y, const std::uint8_t* row, float* signal) const {
+void SensorModel::Expose(int y, const std::uint8_t* row, float light, float* signal) const {
   const float gain = gain_ - row_loss_[y];
   const float* loss = column_loss_.data();
   for (int i = 0; i < 3 * width_; ++i) signal[i] = row[i] * (gain - loss[i]);
+  if (light == 1) return;
+  for (int i = 0; i < 3 * width_; ++i) signal[i] *= light;
 }
 
 void SensorModel::AddNoise(std::uint64_t frame, int y, float* signal, float* normal,
@@ -134,9 +136,9 @@ void SensorModel::Digitise(float* signal, std::uint8_t* row) const {
   }
 }
 
-void SensorModel::Apply(std::uint64_t frame, cv::Mat& bgr) const {
+void SensorModel::Apply(std::uint64_t frame, cv::Mat& bgr, double light) const {
   CV_Assert(bgr.type() == CV_8UC3 && bgr.cols == width_ && bgr.rows == height_);
-  if (ideal()) return;
+  if (ideal() && light == 1) return;
   cv::parallel_for_(cv::Range(0, bgr.rows), [&](const cv::Range& rows) {
     thread_local std::vector<float> signal, normal, sigma;  // kept from frame to frame
     for (std::vector<float>* values : {&signal, &normal, &sigma}) {
@@ -144,7 +146,7 @@ void SensorModel::Apply(std::uint64_t frame, cv::Mat& bgr) const {
     }
     for (int y = rows.start; y < rows.end; ++y) {
       std::uint8_t* row = bgr.ptr<std::uint8_t>(y);
-      Expose(y, row, signal.data());
+      Expose(y, row, static_cast<float>(light), signal.data());
       AddNoise(frame, y, signal.data(), normal.data(), sigma.data());
       Digitise(signal.data(), row);
     }

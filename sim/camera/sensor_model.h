@@ -26,14 +26,15 @@ class SensorModel {
   SensorModel(const CameraProfile& profile, const hardware::CameraModel& model, std::uint64_t seed,
               std::string_view camera);
 
-  /// Whether Apply() changes nothing.
+  /// Whether Apply() changes nothing in full light.
   bool ideal() const { return !has_gain_ && read_noise_ == 0 && shot_gain_ == 0 && levels_ == 255; }
 
   /// @param bgr CV_8UC3 of the model's size, changed in place; rounded and clamped to 0..255
-  void Apply(std::uint64_t frame, cv::Mat& bgr) const;
+  /// @param light share of it that reaches the sensor; the noise of the sensor stays
+  void Apply(std::uint64_t frame, cv::Mat& bgr, double light = 1) const;
 
  private:
-  void Expose(int y, const std::uint8_t* row, float* signal) const;
+  void Expose(int y, const std::uint8_t* row, float light, float* signal) const;
   void AddNoise(std::uint64_t frame, int y, float* signal, float* normal, float* sigma) const;
   void Digitise(float* signal, std::uint8_t* row) const;
 

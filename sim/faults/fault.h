@@ -64,7 +64,7 @@ struct MisalignedEye {
 /// Left and right image exchanged, as by crossed cables.
 struct SwappedPair {};
 
-/// An eye that gets only this share of the light.
+/// An eye that gets only this share of the light; its sensor's noise stays.
 struct DarkEye {
   hardware::Eye eye = hardware::Eye::kLeft;
   double light = 0;
@@ -75,8 +75,9 @@ struct FrozenFrames {
   hardware::Eye eye = hardware::Eye::kLeft;
 };
 
-/// An eye whose frames are lost at random: the last one that came is delivered again, with the time
-/// at which it was taken. The run's first frame always comes.
+/// An eye whose frames are lost at random, each frame of the camera for itself, whether it is asked
+/// for or not: the last one that came is delivered again, with the time at which it was taken. The
+/// run's first frame always comes.
 struct LostFrames {
   hardware::Eye eye = hardware::Eye::kLeft;
   double share = 0;

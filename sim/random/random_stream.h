@@ -14,6 +14,11 @@ constexpr std::uint64_t MixBits(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+/// Uniform in [0, 1), one number for every index of a stream, in any order.
+constexpr double UniformOf(std::uint64_t stream, std::uint64_t index) {
+  return static_cast<double>(MixBits(stream ^ MixBits(index)) >> 11) * (1.0 / (1ULL << 53));
+}
+
 /// A stream of random numbers of its own for every thing that is random: the same (seed, name)
 /// gives the same numbers whatever other streams exist, so that turning one effect on changes no
 /// other. Results are the same on every platform (no std:: distributions).

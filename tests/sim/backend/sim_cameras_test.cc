@@ -211,6 +211,72 @@ TEST(SimCameras, AtCaptureShowsTheWorldOfTheNewestImage) {
   EXPECT_EQ(spinner.pan(), now);
 }
 
+TEST(SimCameras, ALostFrameIsStaleByAFrameOfTheCameraHoweverSeldomItIsGrabbed) {
+  SimCamerasConfig config{.model = {CameraModel(kSmall), CameraModel(kSmall)},
+                          .profile = Timed({.rate_hz = 50}),
+                          .faults = {{LostFrames{Eye::kLeft, 0.4}}}};
+  const FrameFaults faults(config.faults, config.seed);
+  const FrameTiming plan(config.profile.timing, FromSeconds(0), milliseconds(2), 1, "left");
+  Spinner often(config, 1), seldom(config, 1);
+  std::map<std::uint64_t, StereoFrame> all;
+  int lost = 0;
+  for (double seconds = 0; seconds < 0.3; seconds += 0.01) {
+    const StereoFrame frame = often.GrabAt(seconds);
+    std::uint64_t shown = frame.sequence;
+    while (shown > 0 && faults.Loses(Eye::kLeft, shown, plan.At(shown).t_capture.left)) --shown;
+    lost += shown != frame.sequence;
+    EXPECT_EQ(frame.left.t_capture, plan.At(shown).t_capture.left);
+    EXPECT_EQ(frame.right.t_capture, plan.At(frame.sequence).t_capture.right);
+    EXPECT_TRUE(SamePixels(frame.left.bgr, IdealAt(Eye::kLeft, frame.left.t_capture)));
+    EXPECT_TRUE(SamePixels(frame.right.bgr, IdealAt(Eye::kRight, frame.right.t_capture)));
+    all[frame.sequence] = frame;
+  }
+  EXPECT_GT(lost, 3);
+  for (const double seconds : {0.08, 0.22, 0.28}) {
+    const StereoFrame frame = seldom.GrabAt(seconds), again = seldom.GrabAt(seconds);
+    EXPECT_EQ(frame.left.t_capture, all.at(frame.sequence).left.t_capture);
+    EXPECT_EQ(again.left.t_capture, frame.left.t_capture) << "a frame is lost once and for all";
+    EXPECT_TRUE(SamePixels(frame.left.bgr, all.at(frame.sequence).left.bgr));
+  }
+}
+
+TEST(SimCameras, WithoutARateALostFrameIsTheLastThatWasGrabbed) {
+  SimCamerasConfig config{.model = {CameraModel(kSmall), CameraModel(kSmall)},
+                          .faults = {{LostFrames{Eye::kRight, 0.4}}}};
+  const FrameFaults faults(config.faults, config.seed);
+  Spinner spinner(config, 1);
+  StereoFrame last = spinner.GrabAt(0);
+  int lost = 0;
+  for (std::uint64_t n = 1; n < 20; ++n) {
+    const StereoFrame frame = spinner.GrabAt(0.01 * static_cast<double>(n));
+    ASSERT_EQ(frame.sequence, n);
+    const bool is_lost = faults.Loses(Eye::kRight, n, spinner.Now());
+    lost += is_lost;
+    EXPECT_EQ(frame.right.t_capture, is_lost ? last.right.t_capture : spinner.Now());
+    EXPECT_EQ(frame.left.t_capture, spinner.Now());
+    EXPECT_TRUE(SamePixels(frame.right.bgr, IdealAt(Eye::kRight, frame.right.t_capture)));
+    last = frame;
+  }
+  EXPECT_GT(lost, 3);
+}
+
+TEST(SimCameras, ADarkEyeKeepsTheNoiseOfItsSensor) {
+  CameraProfile profile;
+  profile.noise = {.read_noise_dn = 4};
+  SimCamerasConfig config{.model = {CameraModel(kSmall), CameraModel(kSmall)},
+                          .profile = profile,
+                          .faults = {{DarkEye{Eye::kLeft, 0}}}};
+  const StereoFrame dark = Spinner(config, 0).GrabAt(0.01);
+  config.faults.clear();
+  const StereoFrame lit = Spinner(config, 0).GrabAt(0.01);
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(dark.left.bgr, mean, deviation);
+  // Of normal noise that is cut off at zero: 0.399 and 0.584 standard deviations.
+  EXPECT_NEAR(mean[0], 0.399 * 4, 0.1);
+  EXPECT_NEAR(deviation[0], 0.584 * 4, 0.1);
+  EXPECT_TRUE(SamePixels(dark.right.bgr, lit.right.bgr));
+}
+
 /// Mean of where a row rises from dark to bright.
 double EdgeIn(const cv::Mat& image, int row) {
   double mass = 0, mean = 0;

@@ -71,6 +71,17 @@ TEST(SensorModel, NoiseHasTheVarianceTheProfileStates) {
   }
 }
 
+TEST(SensorModel, LessLightLeavesTheReadNoiseAndLowersTheShotNoise) {
+  const SensorModel model = Sensor(Noise(1.5, 0.1));
+  cv::Mat image = Grey(200);
+  model.Apply(3, image, 0.25);
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(image.reshape(1), mean, deviation);
+  const double expected = std::sqrt(1.5 * 1.5 + 0.1 * 50 + 1. / 12);
+  EXPECT_NEAR(mean[0], 50, 0.05);
+  EXPECT_NEAR(deviation[0], expected, 0.02 * expected);
+}
+
 TEST(SensorModel, FramesCamerasAndSeedsDiffer) {
   const SensorModel left = Sensor(WebcamNoise());
   const cv::Mat reference = Seen(left, 128, 5);
