@@ -109,14 +109,15 @@ void CandidateSearch::FillLanes(const PoolingWeights& weights, Fill fill) {
   }
 }
 
-void CandidateSearch::Run(const ViewPyramid& from, const ViewPyramid& to, DisparityField& field) {
+void CandidateSearch::Run(const ViewPyramid& from, const ViewPyramid& to,
+                          const SearchBounds& bounds, DisparityField& field) {
   const int coarsest = std::min(config_.search_octave, from.size() - 1);
   const int finest = std::min(config_.finest_octave, coarsest);
   for (int octave = coarsest; octave >= finest; --octave) {
     const int coarse_width = width_, coarse_height = height_;
     Enter(from[octave], to[octave]);
     if (octave == coarsest) {
-      SearchEverything(octave);
+      SearchEverything(octave, bounds);
     } else {
       Double(coarse_width, coarse_height);
       if (octave >= config_.explore_from && octave <= config_.explore_to) Explore();
@@ -155,12 +156,13 @@ void CandidateSearch::Enter(const ViewOctave& from, const ViewOctave& to) {
   other_.Resize(width_, height_);
 }
 
-void CandidateSearch::SearchEverything(int octave) {
+void CandidateSearch::SearchEverything(int octave, const SearchBounds& bounds) {
   field_.Resize(width_, height_);
   const double pixel = 1 << octave;
-  const int reach_x = static_cast<int>(std::ceil(config_.search_x_px / pixel));
-  const int reach_y = static_cast<int>(std::ceil(config_.search_y_px / pixel));
-  const Range everything{-reach_x, reach_x, -reach_y, reach_y};
+  const auto below = [pixel](double px) { return static_cast<int>(std::floor(px / pixel)); };
+  const auto above = [pixel](double px) { return static_cast<int>(std::ceil(px / pixel)); };
+  const Range everything{below(bounds.low_x), above(bounds.high_x), below(bounds.low_y),
+                         above(bounds.high_y)};
   SearchRange(everything);
   SearchRange(Likely(everything));
   TakeWinners();

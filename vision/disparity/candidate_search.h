@@ -10,6 +10,11 @@
 
 namespace horopter::vision {
 
+/// Disparities at full size among which the coarsest octave's compete [px].
+struct SearchBounds {
+  double low_x, high_x, low_y, high_y;
+};
+
 /// The closed form's way from coarse to fine, in one direction: hypotheses of disparity compete by
 /// their pooled binocular correlation, and the winners move by the phases of their pooled products.
 ///
@@ -30,7 +35,8 @@ class CandidateSearch {
   /// correlation of its last competition, 0 to 1; `valid` is 255 where it reaches min_coherence.
   /// At finest_octave > 0 the field has that octave's size and its pixels as unit.
   /// @param from, to of the same sizes
-  void Run(const ViewPyramid& from, const ViewPyramid& to, DisparityField& field);
+  void Run(const ViewPyramid& from, const ViewPyramid& to, const SearchBounds& bounds,
+           DisparityField& field);
 
  private:
   /// One disparity map, for each pixel.
@@ -45,7 +51,7 @@ class CandidateSearch {
   };
 
   void Enter(const ViewOctave& from, const ViewOctave& to);
-  void SearchEverything(int octave);
+  void SearchEverything(int octave, const SearchBounds& bounds);
   void SearchRange(const Range& range);
   /// Where the better half of the winners lie, and a little more: searching there alone leaves out
   /// the false matches that a wide range invites.

@@ -3,6 +3,8 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
+
 #include "vision/disparity/fill_in.h"
 #include "vision/disparity/image_pair.h"
 #include "vision/disparity/left_right_check.h"
@@ -59,28 +61,31 @@ V1ClosedFormEstimator::V1ClosedFormEstimator(const ClosedFormConfig& config,
       there_(config, bank_, kernels_),
       back_(Reverse(config), bank_, kernels_) {}
 
-DisparityField V1ClosedFormEstimator::Estimate(const cv::Mat& left, const cv::Mat& right,
-                                               hardware::StageTimes* times) {
-  CheckPair(left, right);
+SearchBounds V1ClosedFormEstimator::Bounds(bool use_prior) const {
+  const double x = config_.search_x_px, y = config_.search_y_px;
+  if (!use_prior) return {-x, x, -y, y};
+  const EpipolarPrior::Bounds& known = prior_->bounds();
+  return {std::clamp(known.low_x, -x, x), std::clamp(known.high_x, -x, x),
+          std::clamp(known.low_y, -y, y), std::clamp(known.high_y, -y, y)};
+}
+
+DisparityField V1ClosedFormEstimator::Match(cv::Size image, bool use_prior,
+                                            hardware::StageTimes* times) {
   const bool check = config_.left_right_px > 0;
   DisparityField field;
-  hardware::MeasureIf(times, "simple cells", [&] {
-    const auto build = [this](ViewPyramid& view, const cv::Mat& image) {
-      view.Build(image, config_.search_octave + 1, config_.finest_octave, bank_, kernels_);
-    };
-    tbb::parallel_invoke([&] { build(left_, left); }, [&] { build(right_, right); });
-  });
   hardware::MeasureIf(times, "coarse to fine", [&] {
+    const SearchBounds b = Bounds(use_prior);
+    const SearchBounds reversed{-b.high_x, -b.low_x, -b.high_y, -b.low_y};
     Both(
-        check, [&] { there_.Run(left_, right_, field); },
-        [&] { back_.Run(right_, left_, reverse_); });
+        check, [&] { there_.Run(left_, right_, b, field); },
+        [&] { back_.Run(right_, left_, reversed, reverse_); });
   });
   hardware::MeasureIf(times, "checks", [&] {
-    const double pixel = 1 << config_.finest_octave;
+    const int octave = config_.finest_octave;
+    const double pixel = 1 << octave;
     InvalidateOutside(field);
     if (check) {
-      Enlarge(config_.finest_octave + config_.reverse_octaves, config_.finest_octave, left.size(),
-              reverse_);
+      Enlarge(octave + config_.reverse_octaves, octave, image, reverse_);
       CheckLeftRight(reverse_, config_.left_right_px / pixel, field);
     }
     if (config_.min_segment_px > 1) {
@@ -88,8 +93,27 @@ DisparityField V1ClosedFormEstimator::Estimate(const cv::Mat& left, const cv::Ma
                               config_.segment_step_px / pixel, field);
     }
   });
-  hardware::MeasureIf(times, "enlarge",
-                      [&] { Enlarge(config_.finest_octave, 0, left.size(), field); });
+  hardware::MeasureIf(times, "enlarge", [&] { Enlarge(config_.finest_octave, 0, image, field); });
+  return field;
+}
+
+DisparityField V1ClosedFormEstimator::Estimate(const cv::Mat& left, const cv::Mat& right,
+                                               hardware::StageTimes* times) {
+  CheckPair(left, right);
+  hardware::MeasureIf(times, "simple cells", [&] {
+    const auto build = [this](ViewPyramid& view, const cv::Mat& image) {
+      view.Build(image, config_.search_octave + 1, config_.finest_octave, bank_, kernels_);
+    };
+    tbb::parallel_invoke([&] { build(left_, left); }, [&] { build(right_, right); });
+  });
+  const bool use_prior = prior_ && prior_->known();
+  DisparityField field = Match(left.size(), use_prior, times);
+  prior_contradicted_ = use_prior && prior_->ShareRejected(field) > kMaxContradicted;
+  if (prior_contradicted_) {
+    field = Match(left.size(), false, times);
+  } else if (use_prior) {
+    prior_->Reject(field);
+  }
   BlankInvalid(field);
   if (config_.fill_in) {
     hardware::MeasureIf(times, "fill-in", [&] { FillIn(left, {}, field); });

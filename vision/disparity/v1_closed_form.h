@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "vision/disparity/candidate_search.h"
 #include "vision/disparity/disparity_estimator.h"
+#include "vision/disparity/epipolar_prior.h"
 #include "vision/disparity/v1_config.h"
 #include "vision/disparity/view_pyramid.h"
 
@@ -32,13 +35,27 @@ class V1ClosedFormEstimator final : public DisparityEstimator {
                           hardware::StageTimes* times) override;
   std::string_view name() const override { return "v1"; }
 
+  /// What is known of the eyes' pose from now on; nothing is needed. The prior bounds the search
+  /// and rejects matches off their epipolar lines, as far as its uncertainty allows. Images that
+  /// contradict it in more than kMaxContradicted of their matches are matched anew without it.
+  void SetPrior(std::optional<EpipolarPrior> prior) { prior_ = std::move(prior); }
+  static constexpr double kMaxContradicted = 0.5;
+  /// Whether the last pair contradicted the prior.
+  bool prior_contradicted() const { return prior_contradicted_; }
+
  private:
+  SearchBounds Bounds(bool use_prior) const;
+  /// Both directions, checked against each other, at full size.
+  DisparityField Match(cv::Size image, bool use_prior, hardware::StageTimes* times);
+
   ClosedFormConfig config_;
   CellBank bank_;
   const ClosedFormKernels& kernels_;
   ViewPyramid left_, right_;
   CandidateSearch there_, back_;
   DisparityField reverse_;
+  std::optional<EpipolarPrior> prior_;
+  bool prior_contradicted_ = false;
 };
 
 }  // namespace horopter::vision
