@@ -57,10 +57,7 @@ std::vector<EmbeddedFrame> EmbedSome(const std::vector<ReportFrame>& frames, std
     frame.record = frames[i].record;
     frame.scales = frames[i].scales;
     for (const ReportFrame::Picture& picture : frames[i].pictures) {
-      // The right eye differs too little to be worth its bytes; its file lies beside the report.
-      if (picture.kind != PictureKind::kRight) {
-        frame.pictures.push_back(Embed(picture, maps_as_png));
-      }
+      frame.pictures.push_back(Embed(picture, maps_as_png));
     }
   }
   return embedded;

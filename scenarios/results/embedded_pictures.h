@@ -23,9 +23,9 @@ struct EmbeddedFrame {
   std::vector<Picture> pictures;
 };
 
-/// At most twelve frames, evenly spread, and the last, scaled down to at most 360 px of width:
-/// photographs as JPEG, coloured maps as PNG. Beyond the budget the maps become JPEG too, and then
-/// there are fewer frames.
+/// At most twelve frames, evenly spread, and the last, with every picture they have, scaled down to
+/// at most 360 px of width: photographs as JPEG, coloured maps as PNG. Beyond the budget the maps
+/// become JPEG too, and then there are fewer frames.
 /// @param budget_bytes of all data URIs together; one frame stays whatever it takes
 /// @throws ResultsError when a picture's file cannot be read
 std::vector<EmbeddedFrame> EmbedFrames(const std::vector<ReportFrame>& frames,

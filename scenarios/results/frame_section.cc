@@ -87,25 +87,37 @@ bool ShowsDepth(PictureKind kind) {
          kind == PictureKind::kDepthError;
 }
 
-std::string Row(const EmbeddedFrame& frame, const char* title, bool depth) {
+std::string Figures(const EmbeddedFrame& frame, bool depth) {
   std::string figures;
   for (const EmbeddedFrame::Picture& picture : frame.pictures) {
     if (ShowsDepth(picture.kind) == depth) figures += Figure(frame, picture);
   }
+  return figures;
+}
+
+std::string Row(const char* title, const std::string& figures) {
   if (figures.empty()) return "";
   return fmt::format("<h3>{}</h3><div class=\"pictures\">\n{}</div>\n", title, figures);
 }
 
-std::string DepthSentence(const FrameRecord& record) {
-  if (!record.depth) return "no truth to judge its depth by";
+/// The row's fourth cell: what the error picture beside it comes to.
+std::string DepthVerdict(const FrameRecord& record) {
+  if (!record.depth) return "<p class=\"verdict\">No truth to judge its depth by.</p>\n";
   const DepthScore& depth = *record.depth;
-  if (!depth.abs_rel_median) return "no pixel with a depth to judge";
-  return fmt::format(
-      "{:.0f} % of pixels have a depth; half of them are within {} % of the truth, "
-      "on average {} m {}",
-      100 * depth.density, ShortNumber(100 * *depth.abs_rel_median),
-      fmt::format("{:.3f}", std::abs(depth.bias_m.value_or(0))),
-      depth.bias_m.value_or(0) < 0 ? "too near" : "too far");
+  std::string html = "<dl class=\"verdict\">";
+  const auto add = [&html](const std::string& value, const std::string& what) {
+    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", what, value);
+  };
+  add(fmt::format("{:.0f} %", 100 * depth.density), "of the pixels have a depth");
+  if (depth.abs_rel_median) {
+    add(ShortNumber(100 * *depth.abs_rel_median) + " %",
+        "off the truth, or less, are half of them");
+  }
+  if (depth.bias_m) {
+    add(fmt::format("{:.3f} m", std::abs(*depth.bias_m)),
+        fmt::format("too {} on average", *depth.bias_m < 0 ? "near" : "far"));
+  }
+  return html + "</dl>\n";
 }
 
 std::string Facts(const FrameRecord& record) {
@@ -137,9 +149,9 @@ std::string Article(const EmbeddedFrame& frame) {
       record.step.empty() ? "" : " \u00b7 " + EscapeHtml(record.step),
       record.decision.empty() ? "" : " \u00b7 " + EscapeHtml(record.decision));
   html += Facts(record);
-  html += Row(frame, "What it saw", false);
-  const std::string error_title = "How wrong its depth was: " + EscapeHtml(DepthSentence(record));
-  html += Row(frame, error_title.c_str(), true);
+  html += Row("What it saw", Figures(frame, false));
+  const std::string depth = Figures(frame, true);
+  html += Row("How wrong its depth was", depth.empty() ? "" : depth + DepthVerdict(record));
   return html + "</article>\n";
 }
 

@@ -17,7 +17,7 @@ std::string_view ReportStyle() {
 *{box-sizing:border-box}
 body{margin:0;background:var(--page);color:var(--ink);font:15px/1.5 system-ui,-apple-system,
 "Segoe UI",Roboto,"DejaVu Sans",sans-serif;overflow-wrap:break-word}
-main{max-width:1240px;margin:0 auto;padding:20px}
+main{max-width:1360px;margin:0 auto;padding:20px}
 h1{font-size:25px;line-height:1.25;margin:0;font-weight:650}
 h2{font-size:18px;margin:0 0 12px;font-weight:650}
 h3{font-size:13px;margin:14px 0 6px;font-weight:600;color:var(--soft);letter-spacing:.02em}
@@ -59,7 +59,10 @@ details summary{cursor:pointer;color:var(--soft);margin:8px 0}
 .frame{border-top:1px solid var(--line);padding-top:12px;margin-top:14px}
 .frame[hidden]{display:none}
 .frame-title{font-weight:600;margin:0}.frame-title span{font-weight:400;color:var(--soft)}
-.pictures{display:grid;gap:12px;grid-template-columns:repeat(3,minmax(0,1fr))}
+.pictures{display:grid;gap:12px;grid-template-columns:repeat(4,minmax(0,1fr))}
+.verdict{margin:0;color:var(--soft);font-size:13px}
+.verdict div{display:flex;flex-direction:column-reverse;margin:0 0 12px}.verdict dd{margin:0;
+font-size:22px;line-height:1.25;font-weight:650;color:var(--ink);font-variant-numeric:tabular-nums}
 figure{margin:0;min-width:0}figure img{width:100%;height:auto;display:block;border-radius:4px;
 background:#333;image-rendering:auto}
 figcaption{font-size:13px;margin-top:4px}
@@ -83,8 +86,8 @@ font-weight:600}
 .chart .dot2{fill:var(--two)}
 .empty{color:var(--soft);font-style:italic}
 footer{color:var(--soft);font-size:13px;margin:6px 0 24px}
-@media (max-width:860px){.columns,.halves{grid-template-columns:minmax(0,1fr)}
-.pictures{grid-template-columns:repeat(2,minmax(0,1fr))}}
+@media (max-width:860px){.columns,.halves{grid-template-columns:minmax(0,1fr)}}
+@media (max-width:1000px){.pictures{grid-template-columns:repeat(2,minmax(0,1fr))}}
 @media (max-width:520px){main{padding:12px}.card{padding:13px}
 .pictures{grid-template-columns:minmax(0,1fr)}.keys{grid-template-columns:minmax(0,1fr)}
 .keys dd{margin-bottom:6px}th,td{padding:6px 5px}}

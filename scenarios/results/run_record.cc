@@ -33,4 +33,17 @@ std::string ToString(ExpectationOutcome outcome) {
   return "";
 }
 
+std::string DescribeMachine(const Machine& machine) {
+  if (machine.processor.empty() && machine.cores == 0) return "unknown machine";
+  const std::string processor = machine.processor.empty() ? "unknown processor" : machine.processor;
+  return processor + (machine.cores == 0 ? "" : ", " + std::to_string(machine.cores) + " cores");
+}
+
+std::string DescribeBuild(const std::map<std::string, std::string>& versions) {
+  const auto version = versions.find("horopter");
+  if (version == versions.end()) return "an unknown build";
+  const auto program = versions.find("program");
+  return version->second + (program == versions.end() ? "" : ", program " + program->second);
+}
+
 }  // namespace horopter::scenarios

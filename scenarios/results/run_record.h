@@ -107,6 +107,15 @@ struct PlanRecord {
   double robot_radius_m = 0;
 };
 
+/// What a run was played on.
+struct Machine {
+  std::string processor;       ///< "" when unknown
+  unsigned cores = 0;          ///< that the run could use; 0 when unknown
+  std::optional<double> load;  ///< mean number of busy processes in the minute before it began
+
+  bool operator==(const Machine&) const = default;
+};
+
 /// A run as summary.json has it.
 struct RunSummary {
   std::string scenario;
@@ -125,8 +134,15 @@ struct RunSummary {
   std::optional<double> sim_s;   ///< nothing until the run has ended
   std::optional<double> wall_s;  ///< likewise
   std::string gl_renderer;
+  Machine machine;
   std::map<std::string, std::string> versions;
   std::string directory;  ///< the run's folder, relative to the suite's
 };
+
+/// "Intel Xeon, 2 cores", without its load; "unknown machine".
+std::string DescribeMachine(const Machine& machine);
+
+/// "0.1.0 (3308bf3-dirty), program bbe066b61e81" of a run's versions; "an unknown build" without.
+std::string DescribeBuild(const std::map<std::string, std::string>& versions);
 
 }  // namespace horopter::scenarios

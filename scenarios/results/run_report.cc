@@ -27,8 +27,10 @@ std::string Header(const RunSummary& run) {
   }
   html += fmt::format(
       "<ul class=\"facts\"><li><span>seed</span> <b>{}</b></li><li><span>backend</span> <b>{}</b>"
-      "</li><li><span>simulated</span> <b>{}</b></li><li><span>took</span> <b>{}</b></li></ul>",
-      run.seed, EscapeHtml(run.backend), Quantity(run.sim_s, "s"), Quantity(run.wall_s, "s"));
+      "</li><li><span>simulated</span> <b>{}</b></li><li><span>took</span> <b>{}</b></li>"
+      "<li><span>build</span> <b>{}</b></li></ul>",
+      run.seed, EscapeHtml(run.backend), Quantity(run.sim_s, "s"), Quantity(run.wall_s, "s"),
+      EscapeHtml(DescribeBuild(run.versions)));
   return html + "</div></header>\n";
 }
 
@@ -213,6 +215,9 @@ std::string Repeat(const RunReport& report) {
   html += Key("image hash", CodeOrDash(run.image_hash));
   html += Key("decision hash", CodeOrDash(run.decision_hash));
   html += Key("GL renderer", run.gl_renderer.empty() ? "\u2013" : EscapeHtml(run.gl_renderer));
+  html +=
+      Key("machine", EscapeHtml(DescribeMachine(run.machine)) +
+                         (run.machine.load ? fmt::format("; load {:.2f}", *run.machine.load) : ""));
   for (const auto& [name, version] : run.versions) html += Key(name, EscapeHtml(version));
   html += "</dl>\n";
   if (!report.resolved_scenario.empty()) {
@@ -248,7 +253,7 @@ std::string RunReportHtml(const RunReport& report) {
           Repeat(report) + "</div></div>\n";
   body += "<footer>" + Metrics(run) +
           "Beside this page: summary.json, junit.xml, frames.csv, trajectory.csv, plan.json, "
-          "plan.svg, scenario.yaml and frames/.</footer>\n";
+          "plan.svg, scenario.yaml, stack.json and frames/.</footer>\n";
   return HtmlPage(title, body);
 }
 

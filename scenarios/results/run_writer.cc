@@ -23,8 +23,8 @@ namespace {
 /// What an earlier run in the same folder may have left.
 void RemoveOldResults(const fs::path& folder) {
   std::error_code ignored;
-  for (const char* name :
-       {"room.json", "room.xml", "plan.json", "plan.svg", "report.html", "junit.xml"}) {
+  for (const char* name : {"room.json", "room.xml", "stack.json", "plan.json", "plan.svg",
+                           "report.html", "junit.xml"}) {
     fs::remove(folder / name, ignored);
   }
   for (const auto& entry : fs::directory_iterator(folder / "frames", ignored)) {

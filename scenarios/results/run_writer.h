@@ -19,6 +19,7 @@ namespace horopter::scenarios {
 ///   frames.csv, trajectory.csv   a header, then one row per call, each handed to the operating
 ///                  system whole, so that a killed process leaves all its rows readable
 ///   frames/NNNN_left.png ...     the chosen frames (NNNN is the frame's index)
+///   stack.json     the numbers that the stack runs with, which the scenario leaves to defaults
 ///   room.json, room.xml   a generated room: what stands where, and its whole scene
 ///   plan.json, plan.svg, report.html, junit.xml   by Finish()
 ///
@@ -46,7 +47,7 @@ class RunWriter {
   /// One row of trajectory.csv. @throws ResultsError
   void AddPathPoint(const PathPoint& point);
 
-  /// One more file of the run's folder: room.json or room.xml. @throws ResultsError
+  /// One more file of the run's folder: stack.json, room.json or room.xml. @throws ResultsError
   void AddRecord(const std::string& name, const std::string& text);
 
   /// Writes the plan, the report and junit.xml, then summary.json. To be called once; also for a

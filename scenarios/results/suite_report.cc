@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "scenarios/results/html.h"
 #include "scenarios/results/text.h"
@@ -77,6 +78,17 @@ std::string Row(const RunSummary& run) {
       Quantity(run.sim_s, "s"), Quantity(run.wall_s, "s"));
 }
 
+/// Which builds played the runs; usually one.
+std::string Builds(const std::vector<RunSummary>& runs) {
+  std::set<std::string> builds;
+  for (const RunSummary& run : runs) builds.insert(DescribeBuild(run.versions));
+  std::string html;
+  for (const std::string& build : builds) {
+    html += fmt::format("Played by horopter {}. ", EscapeHtml(build));
+  }
+  return html;
+}
+
 }  // namespace
 
 std::string SuiteReportHtml(const std::vector<RunSummary>& runs) {
@@ -87,9 +99,8 @@ std::string SuiteReportHtml(const std::vector<RunSummary>& runs) {
       "<th class=\"number\">met</th><th class=\"number\">simulated</th>"
       "<th class=\"number\">took</th></tr></thead><tbody>\n";
   for (const RunSummary& run : runs) body += Row(run);
-  body +=
-      "</tbody></table></div></section>\n<footer>Beside this page: summary.json and junit.xml "
-      "of all runs.</footer>\n";
+  body += "</tbody></table></div></section>\n<footer>" + Builds(runs) +
+          "Beside this page: summary.json and junit.xml of all runs.</footer>\n";
   return HtmlPage(fmt::format("{} of {} runs passed", CountOf(runs, Outcome::kPassed), runs.size()),
                   body);
 }

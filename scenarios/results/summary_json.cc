@@ -35,6 +35,12 @@ Json ToJson(const StageTiming& timing) {
   return json;
 }
 
+Json ToJson(const Machine& machine) {
+  return {{"processor", OrNull(machine.processor)},
+          {"cores", machine.cores > 0 ? Json(machine.cores) : Json(nullptr)},
+          {"load", OrNull(machine.load)}};
+}
+
 Json ToJson(const hardware::Pose2& pose) {
   return {{"x_m", pose.x_m}, {"y_m", pose.y_m}, {"heading_rad", pose.heading_rad}};
 }
@@ -76,6 +82,7 @@ class RunReader {
     run.sim_s = Number(json_, "sim_s");
     run.wall_s = Number(json_, "wall_s");
     run.gl_renderer = Text("gl_renderer");
+    run.machine = ReadMachine();
     run.versions = ReadVersions();
     run.directory = Text("directory");
     return run;
@@ -194,6 +201,15 @@ class RunReader {
     return timing;
   }
 
+  Machine ReadMachine() const {
+    const Json& object = Object("machine");
+    const RunReader reader(object, place_ + (place_.empty() ? "" : ".") + "machine");
+    const Json& cores = At(object, "cores");
+    return {reader.Text("processor"),
+            cores.is_null() ? 0 : reader.Required<unsigned>(object, "cores", "an integer"),
+            reader.Number(object, "load")};
+  }
+
   std::map<std::string, std::string> ReadVersions() const {
     std::map<std::string, std::string> versions;
     for (const auto& [name, value] : Object("versions").items()) {
@@ -237,6 +253,7 @@ nlohmann::ordered_json ToJson(const RunSummary& run) {
           {"sim_s", OrNull(run.sim_s)},
           {"wall_s", OrNull(run.wall_s)},
           {"gl_renderer", OrNull(run.gl_renderer)},
+          {"machine", ToJson(run.machine)},
           {"versions", std::move(versions)}};
 }
 

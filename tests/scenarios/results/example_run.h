@@ -75,7 +75,11 @@ inline RunSummary ExampleSummary() {
   run.sim_s = 30.1;
   run.wall_s = 12.75;
   run.gl_renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
-  run.versions = {{"horopter", "0.1.0"}, {"mujoco", "2.2.2"}, {"opencv", "4.6.0"}};
+  run.machine = {"Example & Sons 3000", 2, 0.75};
+  run.versions = {{"horopter", "0.1.0 (abc1234-dirty)"},
+                  {"program", "0123456789ab"},
+                  {"mujoco", "2.2.2"},
+                  {"opencv", "4.6.0"}};
   run.directory = "first_waypoint/seed_1";
   return run;
 }

@@ -128,6 +128,47 @@ TEST(EmbedFrames, ShowsTwelveFramesAndTheLastWithinTheBudget) {
   EXPECT_THAT(html, HasSubstr("href=\"#frame-29\"")) << "the plan links to the frame";
 }
 
+TEST(EmbedFrames, ShowsBothEyesOfEveryFrame) {
+  const ScratchFolder scratch;
+  RunWriter writer(scratch.path(), "", ExampleSummary());
+  FrameImages images = ExampleImages(0);
+  images.right_bgr = cv::Mat(images.left_bgr.size(), CV_8UC3, cv::Scalar(0, 0, 200));
+  writer.AddFrame(ExampleFrame(0), images);
+  writer.AddFrame(ExampleFrame(1), images);
+  writer.Finish(ExampleSummary(), ExamplePlan());
+  const std::string html = ContentOf(scratch.path() / "report.html");
+  for (const char* frame : {"frame 0", "frame 1"}) {
+    EXPECT_THAT(html, HasSubstr(std::string("alt=\"Left eye, ") + frame));
+    EXPECT_THAT(html, HasSubstr(std::string("alt=\"Right eye, ") + frame));
+  }
+  const auto right_in = [&scratch](const std::string& name) {
+    return EmbedFrames({{ExampleFrame(0), {}, {{PictureKind::kRight, scratch.path() / name}}}})
+        .at(0)
+        .pictures.at(0)
+        .data_uri;
+  };
+  EXPECT_THAT(html, HasSubstr(right_in("frames/0000_right.png")));
+  EXPECT_NE(right_in("frames/0000_right.png"), right_in("frames/0000_left.png"));
+}
+
+TEST(RunReport, SaysWhatTheDepthErrorComesTo) {
+  const EmbeddedFrame pictured{
+      ExampleFrame(0), {}, {{PictureKind::kDepth, "data:image/png;base64,AA==", 1, 1}}};
+  const std::string html = RunReportHtml({ExampleSummary(), {}, {}, {pictured}, ""});
+  EXPECT_THAT(html, HasSubstr("<dt>of the pixels have a depth</dt><dd>81 %</dd>"));
+  EXPECT_THAT(html, HasSubstr("<dt>too near on average</dt><dd>0.012 m</dd>"));
+  EmbeddedFrame unjudged = pictured;
+  unjudged.record.depth.reset();
+  EXPECT_THAT(RunReportHtml({ExampleSummary(), {}, {}, {unjudged}, ""}), HasSubstr("No truth"));
+}
+
+TEST(RunReport, NamesTheBuildAndTheMachine) {
+  const std::string html = ReportOf(ExampleSummary());
+  EXPECT_THAT(html, HasSubstr("0.1.0 (abc1234-dirty), program 0123456789ab"));
+  EXPECT_THAT(html, HasSubstr("Example &amp; Sons 3000, 2 cores; load 0.75"));
+  EXPECT_THAT(SuiteReportHtml({ExampleSummary()}), HasSubstr("0.1.0 (abc1234-dirty)"));
+}
+
 TEST(EmbedFrames, FitsEvenABudgetForOneFrameAndNamesAMissingFile) {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "0000_left.png";

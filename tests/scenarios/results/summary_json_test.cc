@@ -32,6 +32,7 @@ TEST(RunSummaryText, RoundTripsEveryField) {
   EXPECT_EQ(back[0].expectations[3].value, std::nullopt);
   EXPECT_EQ(back[0].metrics, run.metrics);
   EXPECT_EQ(back[0].versions, run.versions);
+  EXPECT_EQ(back[0].machine, run.machine);
   EXPECT_EQ(back[0].timing_ms.at("physics").n, 15000);
   EXPECT_EQ(back[0].wall_s, run.wall_s);
   EXPECT_EQ(back[0].faults, run.faults);
@@ -41,7 +42,7 @@ TEST(RunSummaryText, HasTheAgreedKeysInTheAgreedForm) {
   const auto json = nlohmann::json::parse(RunSummaryText(ExampleSummary()));
   for (const char* key :
        {"scenario", "seed", "backend", "outcome", "expectations", "image_hash", "decision_hash",
-        "timing_ms", "sim_s", "wall_s", "gl_renderer", "versions"}) {
+        "timing_ms", "sim_s", "wall_s", "gl_renderer", "machine", "versions"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["outcome"], "failed");
@@ -62,6 +63,9 @@ TEST(RunSummaryText, SaysNullForWhatNeverWas) {
   const auto json = nlohmann::json::parse(RunSummaryText(run));
   for (const char* key : {"image_hash", "decision_hash", "sim_s", "wall_s", "gl_renderer"}) {
     EXPECT_TRUE(json[key].is_null()) << key;
+  }
+  for (const char* key : {"processor", "cores", "load"}) {
+    EXPECT_TRUE(json["machine"][key].is_null()) << key;
   }
   EXPECT_TRUE(json["expectations"][0]["value"].is_null());
   EXPECT_TRUE(json["timing_ms"]["render"]["median"].is_null());
