@@ -8,9 +8,10 @@
 #include <cmath>
 #include <cstring>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "textured_pair.h"
 
@@ -36,33 +37,70 @@ bool SameBits(const DisparityField& a, const DisparityField& b) {
          SameBits(a.valid, b.valid);
 }
 
-using Choice = std::pair<const char*, const char*>;
+/// A method, a preset, and the range it searches where it has one.
+struct Choice {
+  std::string method;
+  std::string preset;
+  std::optional<SearchRange> range;
+};
+
+std::vector<Choice> AllChoices() {
+  std::vector<Choice> choices;
+  for (const DisparityMethod& method : DisparityMethods()) {
+    std::optional<SearchRange> range;
+    if (method.horizontal_only) range = SearchRange::Covering(-16, 16);
+    for (const std::string_view preset : method.presets) {
+      choices.push_back({std::string(method.name), std::string(preset), range});
+    }
+  }
+  return choices;
+}
 
 class Estimators : public ::testing::TestWithParam<Choice> {
  protected:
   DisparityField Estimate(const cv::Mat& left, const cv::Mat& right) {
     return estimator_->Estimate(left, right);
   }
+  /// Methods for rectified pairs see none.
+  double Vertical(double dy) const { return GetParam().range ? 0 : dy; }
+
   std::unique_ptr<DisparityEstimator> estimator_ =
-      CreateDisparityEstimator(GetParam().first, GetParam().second);
+      CreateDisparityEstimator(GetParam().method, GetParam().preset, GetParam().range);
 };
 
-INSTANTIATE_TEST_SUITE_P(AllMethods, Estimators,
-                         ::testing::Values(Choice("v1", "checked"), Choice("v1", "paper_2009"),
-                                           Choice("dis", "medium"), Choice("dis", "fast"),
-                                           Choice("dis", "ultrafast")),
+INSTANTIATE_TEST_SUITE_P(AllMethods, Estimators, ::testing::ValuesIn(AllChoices()),
                          [](const auto& instance) {
-                           return std::string(instance.param.first) + "_" + instance.param.second;
+                           return instance.param.method + "_" + instance.param.preset;
                          });
 
-TEST_P(Estimators, NamesItsMethod) { EXPECT_EQ(estimator_->name(), GetParam().first); }
+TEST_P(Estimators, NamesItsMethod) { EXPECT_EQ(estimator_->name(), GetParam().method); }
 
 TEST_P(Estimators, NearerPointsHaveNegativeDx) {
-  const SyntheticPair pair = ShiftedPair(kSize, -5, 1.5);
+  const double dy = Vertical(1.5);
+  const SyntheticPair pair = ShiftedPair(kSize, -5, dy);
   const auto score =
-      ScoreWarp(Estimate(pair.left, pair.right), cv::Matx33d(1, 0, -5, 0, 1, 1.5, 0, 0, 1));
+      ScoreWarp(Estimate(pair.left, pair.right), cv::Matx33d(1, 0, -5, 0, 1, dy, 0, 0, 1));
   EXPECT_LT(score.median_error_px, 0.25);
   EXPECT_GT(score.density, 0.7);
+}
+
+TEST_P(Estimators, FrameGivesTheFieldOfItsImages) {
+  const SyntheticPair pair = ShiftedPair(kSize, 1.5, 0);
+  hardware::StereoFrame frame;
+  cv::merge(std::vector<cv::Mat>(3, pair.left), frame.left.bgr);
+  cv::merge(std::vector<cv::Mat>(3, pair.right), frame.right.bgr);
+  const DisparityField field = estimator_->Estimate(frame);
+  EXPECT_GT(cv::countNonZero(field.valid), 0);
+  EXPECT_TRUE(SameBits(field, Estimate(frame.left.bgr, frame.right.bgr)));
+}
+
+TEST_P(Estimators, StagesAreTimedOncePerPairAndChangeNothing) {
+  const SyntheticPair pair = ShiftedPair(kSize, 1.5, 0);
+  hardware::StageTimes times;
+  const DisparityField timed = estimator_->Estimate(pair.left, pair.right, &times);
+  EXPECT_TRUE(SameBits(timed, Estimate(pair.left, pair.right)));
+  EXPECT_FALSE(times.samples().empty());
+  for (const auto& [stage, samples] : times.samples()) EXPECT_EQ(samples.size(), 1U) << stage;
 }
 
 TEST_P(Estimators, InvalidIsNaNAndConfidenceInRange) {
@@ -88,7 +126,7 @@ TEST_P(Estimators, InvalidIsNaNAndConfidenceInRange) {
 }
 
 TEST_P(Estimators, SameBitsForAnyNumberOfThreadsAndAgain) {
-  const SyntheticPair pair = ShiftedPair(kSize, 4.2, -0.7);
+  const SyntheticPair pair = ShiftedPair(kSize, 4.2, Vertical(-0.7));
   const int threads = cv::getNumThreads();
   cv::setNumThreads(1);
   const DisparityField one = Estimate(pair.left, pair.right);
@@ -136,36 +174,95 @@ TEST_P(Estimators, MismatchedImagesThrow) {
 
 TEST(DisparityFactory, DefaultsToTheFirstPreset) {
   const SyntheticPair pair = ShiftedPair(kSize, 1.5, 0);
-  EXPECT_TRUE(SameBits(CreateDisparityEstimator("v1")->Estimate(pair.left, pair.right),
-                       CreateDisparityEstimator("v1", "checked")->Estimate(pair.left, pair.right)));
+  for (const DisparityMethod& method : DisparityMethods()) {
+    const auto first = CreateDisparityEstimator(method.name, method.presets.front());
+    const auto unnamed = CreateDisparityEstimator(method.name);
+    EXPECT_TRUE(
+        SameBits(unnamed->Estimate(pair.left, pair.right), first->Estimate(pair.left, pair.right)))
+        << method.name;
+  }
 }
 
-TEST(DisparityFactory, UnknownNamesListTheKnown) {
-  const auto complaint = [](const char* method, const char* preset) -> std::string {
-    try {
-      CreateDisparityEstimator(method, preset);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
+/// What the factory says against it; "" when it takes it.
+std::string Complaint(std::string_view method, std::string_view preset,
+                      const std::optional<SearchRange>& range = std::nullopt) {
+  try {
+    CreateDisparityEstimator(method, preset, range);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(DisparityFactory, UnknownMethodsListTheKnownWithTheirPresets) {
+  const std::string complaint = Complaint("elas", "");
+  EXPECT_THAT(complaint, ::testing::HasSubstr("unknown disparity method \"elas\": known are v1 ("));
+  EXPECT_THAT(complaint, ::testing::HasSubstr("bm (block_15, block_9, block_21)"));
+}
+
+TEST(DisparityFactory, UnknownPresetsListTheKnown) {
+  for (const DisparityMethod& method : DisparityMethods()) {
+    const std::string complaint = Complaint(method.name, "nosuch");
+    EXPECT_THAT(complaint, ::testing::HasSubstr("\"nosuch\""));
+    for (const std::string_view preset : method.presets) {
+      if (preset.ends_with("_unchecked")) continue;  // listed as one ending
+      EXPECT_THAT(complaint, ::testing::HasSubstr(std::string(preset)));
     }
-    return "";
-  };
-  EXPECT_EQ(complaint("sgbm", ""), "unknown disparity method \"sgbm\": known are dis, v1");
-  EXPECT_THAT(complaint("v1", "best"), ::testing::HasSubstr("checked, cautious, paper_2009"));
-  EXPECT_THAT(complaint("dis", "slow"), ::testing::HasSubstr("medium, fast, ultrafast"));
+  }
+  EXPECT_THAT(Complaint("dis", "slow_unchecked"), ::testing::HasSubstr("\"slow_unchecked\""));
+}
+
+TEST(DisparityFactory, OnlyMethodsForRectifiedPairsTakeARange) {
+  const SearchRange range = SearchRange::Covering(-10, 40);
+  for (const DisparityMethod& method : DisparityMethods()) {
+    EXPECT_EQ(Complaint(method.name, "", range).empty(), method.horizontal_only) << method.name;
+  }
+  EXPECT_THAT(Complaint("dis", "", range), ::testing::HasSubstr("takes no search range"));
+  EXPECT_THAT(Complaint("sgbm", "", SearchRange{0, 17}),
+              ::testing::HasSubstr("sgbm.range.count_px = 17: must be a multiple of 16"));
+}
+
+/// The fields that a configuration's Validate() objects to.
+std::vector<std::string> BadFields(const std::vector<hardware::FieldError>& errors) {
+  std::vector<std::string> fields;
+  for (const hardware::FieldError& error : errors) fields.push_back(error.field);
+  return fields;
 }
 
 TEST(DisparityFactory, BadParametersAreAllNamed) {
-  DisConfig config;
-  config.preset = 7;
-  config.left_right_px = -1;
-  config.min_contrast_grey = -1;
-  config.contrast_window_px = 2;
-  try {
-    CreateDisparityEstimator(config);
-    FAIL() << "accepted";
-  } catch (const hardware::ConfigError& error) {
-    EXPECT_EQ(error.errors().size(), 4U);
-  }
+  DisConfig dis;
+  dis.preset = 7;
+  dis.left_right_px = -1;
+  dis.texture = {-1, 2};
+  EXPECT_THAT(BadFields(dis.Validate()),
+              ::testing::ElementsAre("dis.preset", "dis.left_right_px",
+                                     "dis.texture.min_contrast_grey", "dis.texture.window_px"));
+  EXPECT_THROW(CreateDisparityEstimator(dis), hardware::ConfigError);
+
+  FarnebackConfig farneback;
+  farneback.pyramid_scale = 1;
+  farneback.polynomial_px = 6;
+  farneback.iterations = 0;
+  EXPECT_THAT(BadFields(farneback.Validate()),
+              ::testing::ElementsAre("farneback.pyramid_scale", "farneback.iterations",
+                                     "farneback.polynomial_px"));
+  EXPECT_THROW(CreateDisparityEstimator(farneback), hardware::ConfigError);
+
+  SgbmConfig sgbm;
+  sgbm.range = {3000, 0};
+  sgbm.block_px = 4;
+  sgbm.large_step_penalty = sgbm.small_step_penalty;
+  EXPECT_THAT(BadFields(sgbm.Validate()),
+              ::testing::ElementsAre("sgbm.range.min_px", "sgbm.range.count_px", "sgbm.block_px",
+                                     "sgbm.large_step_penalty"));
+  EXPECT_THROW(CreateDisparityEstimator(sgbm), hardware::ConfigError);
+
+  BmConfig bm;
+  bm.block_px = 3;
+  bm.uniqueness_percent = 100;
+  EXPECT_THAT(BadFields(bm.Validate()),
+              ::testing::ElementsAre("bm.block_px", "bm.uniqueness_percent"));
+  EXPECT_THROW(CreateDisparityEstimator(bm), hardware::ConfigError);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "real_pair.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>
@@ -11,7 +10,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
-#include <vector>
+
+#include "vision/disparity/field_score.h"
 
 namespace horopter::vision::testing {
 namespace {
@@ -95,31 +95,10 @@ PairWithTruth VergedMotorcycle(const std::string& data_folder, const EyeTurn& tu
 }
 
 FieldScore Score(const DisparityField& field, const cv::Mat1f& true_dx, const cv::Mat1f& true_dy) {
-  std::vector<double> errors;
-  int known = 0;
-  int bad = 0;
-  for (int y = 0; y < true_dx.rows; ++y) {
-    for (int x = 0; x < true_dx.cols; ++x) {
-      if (std::isnan(true_dx(y, x))) continue;
-      ++known;
-      if (field.valid(y, x) == 0) continue;
-      const double error =
-          std::hypot(field.dx(y, x) - true_dx(y, x), field.dy(y, x) - true_dy(y, x));
-      errors.push_back(error);
-      if (!(error <= 2)) ++bad;
-    }
-  }
-  FieldScore score;
-  score.median_error_px = std::numeric_limits<double>::quiet_NaN();
-  score.bad2 = std::numeric_limits<double>::quiet_NaN();
-  if (known > 0) score.density = static_cast<double>(errors.size()) / known;
-  if (!errors.empty()) {
-    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-    std::nth_element(errors.begin(), middle, errors.end());
-    score.median_error_px = *middle;
-    score.bad2 = static_cast<double>(bad) / static_cast<double>(errors.size());
-  }
-  return score;
+  constexpr std::size_t kTwoPixels = 2;
+  static_assert(kBadLimitsPx[kTwoPixels] == 2);
+  const ErrorScore score = *ScoreDisparity({field.dx, field.dy}, {true_dx, true_dy}).vector;
+  return {score.density, score.median_px, score.bad_estimated[kTwoPixels]};
 }
 
 }  // namespace horopter::vision::testing

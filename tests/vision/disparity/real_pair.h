@@ -47,6 +47,7 @@ struct FieldScore {
   double median_error_px = 0;  ///< of the distance between vectors, over the valid
   double bad2 = 0;             ///< share of the valid off by more than 2 px
 };
+/// @throws std::invalid_argument as ScoreDisparity()
 FieldScore Score(const DisparityField& field, const cv::Mat1f& true_dx, const cv::Mat1f& true_dy);
 
 }  // namespace horopter::vision::testing

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the methods for rectified pairs have in common beyond the contract of every method.
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "textured_pair.h"
+#include "vision/disparity/disparity_factory.h"
+
+namespace horopter::vision {
+namespace {
+
+using testing::ShiftedPair;
+using testing::SyntheticPair;
+
+TEST(SearchRange, CoversWhatIsAskedInMultiplesOfSixteen) {
+  EXPECT_EQ(SearchRange::Covering(0, 16).count_px, 16);
+  EXPECT_EQ(SearchRange::Covering(-3, 30).count_px, 48);
+  EXPECT_EQ(SearchRange::Covering(5, 2).count_px, 16);
+  EXPECT_TRUE(SearchRange::Covering(-3, 30).Validate().empty());
+}
+
+class RectifiedMethods : public ::testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(All, RectifiedMethods, ::testing::Values("sgbm", "bm"));
+
+TEST_P(RectifiedMethods, DisparityOfEitherSignHasNoVerticalPart) {
+  const cv::Size size(200, 90);
+  for (const double dx : {-20.0, 12.0}) {
+    const SyntheticPair pair = ShiftedPair(size, dx, 0);
+    const auto estimator = CreateDisparityEstimator(GetParam(), "", SearchRange::Covering(-32, 32));
+    const DisparityField field = estimator->Estimate(pair.left, pair.right);
+    ASSERT_GT(cv::countNonZero(field.valid), 5000);
+    EXPECT_EQ(cv::norm(field.dy, cv::Mat1f::zeros(size), cv::NORM_INF, field.valid), 0);
+    EXPECT_NEAR(cv::mean(field.dx, field.valid)[0], dx, 0.1);
+  }
+}
+
+TEST_P(RectifiedMethods, ImagesNarrowerThanTheRangeGiveAnEmptyField) {
+  const SyntheticPair pair = ShiftedPair({130, 90}, -5, 0);
+  const DisparityField field =
+      CreateDisparityEstimator(GetParam())->Estimate(pair.left, pair.right);
+  EXPECT_EQ(cv::countNonZero(field.valid), 0);
+  EXPECT_EQ(field.dx.size(), cv::Size(130, 90));
+}
+
+}  // namespace
+}  // namespace horopter::vision
