@@ -5,10 +5,17 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include <sstream>
+#include <utility>
+#include <vector>
 
+#include "scenarios/format/robot_description.h"
 #include "scenarios/format/scenario_format.h"
 #include "scenarios/format/scenes.h"
+#include "scenarios/runner/backend.h"
 #include "scenarios/runner/run_process.h"
 #include "vision/reconstruction/equation_two.h"
 
@@ -149,6 +156,125 @@ TEST(Faults, AreNamedInTheSummaryAndInTheResolvedScenario) {
   ASSERT_EQ(resolved.faults.size(), 1u);
   EXPECT_EQ(resolved.faults[0].from_s, 0.1);
   EXPECT_NE(run.image_hash, Play(Fixate(), "sound").image_hash);
+}
+
+/// The devices of a scenario with faults, as the stack gets them.
+class Robot {
+ public:
+  explicit Robot(std::vector<FaultSpec> faults, double rate_hz = 0) {
+    Scenario scenario = Fixate(std::move(faults));
+    scenario.camera.profile.timing.rate_hz = rate_hz;
+    backend_ = CreateBackend(scenario, LoadRobotDescription(RobotFile(ScenesDir(), scenario.robot)),
+                             times_);
+    for (hardware::Device* device : {static_cast<hardware::Device*>(&backend_->head()),
+                                     static_cast<hardware::Device*>(&backend_->cameras())}) {
+      EXPECT_TRUE(device->Configure().ok());
+      EXPECT_TRUE(device->Activate().ok());
+    }
+  }
+
+  void Wait(double seconds) {
+    backend_->clock().SleepUntil(backend_->clock().Now() + hardware::FromSeconds(seconds));
+  }
+  /// Pans both eyes and waits for them.
+  void Pan(double pan_deg) {
+    hardware::HeadAngles target;
+    target.left.pan_rad = target.right.pan_rad = pan_deg * kRadians;
+    EXPECT_TRUE(backend_->head().Command(target).ok());
+    Wait(0.6);
+  }
+  hardware::StereoFrame Look() { return backend_->cameras().Grab().value(); }
+  hardware::HeadAngles Angles() { return backend_->head().Read().value().angles; }
+  double focal_px() { return backend_->cameras().model(hardware::Eye::kLeft).intrinsics().fx; }
+
+ private:
+  hardware::StageTimes times_;
+  std::unique_ptr<Backend> backend_;
+};
+
+bool SamePixels(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_INF) == 0; }
+
+/// By how much the middle of `before` has moved in `after` [px].
+cv::Point MovedBy(const cv::Mat& before, const cv::Mat& after) {
+  const cv::Rect middle(110, 80, 100, 80);
+  cv::Mat match;
+  cv::matchTemplate(after, before(middle), match, cv::TM_CCOEFF_NORMED);
+  cv::Point best;
+  cv::minMaxLoc(match, nullptr, nullptr, nullptr, &best);
+  return best - middle.tl();
+}
+
+TEST(FaultEffects, ASwappedPairGivesEachEyeTheOthersImage) {
+  const hardware::StereoFrame sound = Robot({}).Look();
+  const hardware::StereoFrame swapped = Robot({{{}, SwappedPairFault{}}}).Look();
+  EXPECT_FALSE(SamePixels(sound.left.bgr, sound.right.bgr));
+  EXPECT_TRUE(SamePixels(swapped.left.bgr, sound.right.bgr));
+  EXPECT_TRUE(SamePixels(swapped.right.bgr, sound.left.bgr));
+}
+
+TEST(FaultEffects, ADarkEyeIsDarkerByItsShare) {
+  const hardware::StereoFrame sound = Robot({}).Look();
+  const hardware::StereoFrame dark = Robot({{{}, DarkEyeFault{"left", 0.25}}}).Look();
+  EXPECT_NEAR(cv::mean(dark.left.bgr)[1], 0.25 * cv::mean(sound.left.bgr)[1], 0.6);
+  EXPECT_TRUE(SamePixels(dark.right.bgr, sound.right.bgr));
+}
+
+TEST(FaultEffects, AFrozenEyeShowsItsLastImageWithTheTimeOfNow) {
+  Robot robot({{{}, FrozenFramesFault{"left"}, 0.05}});
+  const hardware::StereoFrame before = robot.Look();
+  robot.Pan(8);
+  const hardware::StereoFrame after = robot.Look();
+  EXPECT_TRUE(SamePixels(after.left.bgr, before.left.bgr));
+  EXPECT_FALSE(SamePixels(after.right.bgr, before.right.bgr));
+  EXPECT_EQ(after.left.t_capture, after.right.t_capture);
+}
+
+TEST(FaultEffects, ALostFrameIsAsOldAsTheCamerasLast) {
+  Robot robot({{{}, LostFramesFault{"left", 0.5}}}, 30);
+  const auto period = hardware::FromSeconds(1 / 30.0);
+  int lost = 0, stale = 0;
+  for (int i = 0; i < 20; ++i) {  // 2.5 Hz, as vision would
+    robot.Wait(0.4);
+    const hardware::StereoFrame frame = robot.Look();
+    const auto age = frame.right.t_capture - frame.left.t_capture;
+    lost += age.count() > 0;
+    stale += age > 8 * period;
+  }
+  EXPECT_GE(lost, 4);
+  EXPECT_LE(lost, 16);
+  EXPECT_LE(stale, 1) << "eight in a row are lost once in 256 times";
+}
+
+TEST(FaultEffects, AMisalignedEyeSeesTheSceneHigher) {
+  constexpr double kPitch_deg = 3;
+  Robot sound({}), pitched({{{}, MisalignedEyeFault{"left", kPitch_deg, 0}}});
+  const hardware::StereoFrame before = sound.Look(), after = pitched.Look();
+  const cv::Point moved = MovedBy(before.left.bgr, after.left.bgr);
+  EXPECT_NEAR(moved.y, -sound.focal_px() * std::tan(kPitch_deg * kRadians), 1.5);
+  EXPECT_NEAR(moved.x, 0, 1);
+  EXPECT_TRUE(SamePixels(after.right.bgr, before.right.bgr));
+}
+
+TEST(FaultEffects, AStuckAxisStaysWhereItIsAndItsEncoderSaysSo) {
+  Robot robot({{{}, StuckAxisFault{"left_pan"}}});
+  const hardware::StereoFrame before = robot.Look();
+  robot.Pan(6);
+  EXPECT_NEAR(robot.Angles().left.pan_rad, 0, 0.05 * kRadians);
+  EXPECT_NEAR(robot.Angles().right.pan_rad, 6 * kRadians, 0.05 * kRadians);
+  EXPECT_EQ(MovedBy(before.left.bgr, robot.Look().left.bgr), cv::Point(0, 0));
+  EXPECT_GT(MovedBy(before.right.bgr, robot.Look().right.bgr).x, 10);
+}
+
+TEST(FaultEffects, BacklashLeavesTheEyeBehindAnEncoderThatIsRight) {
+  constexpr double kWidth_deg = 3;
+  Robot sound({}), worn({{{}, BacklashFault{"left_pan", kWidth_deg}}});
+  for (Robot* robot : {&sound, &worn}) robot->Pan(6);
+  for (Robot* robot : {&sound, &worn}) robot->Pan(0);
+  EXPECT_NEAR(worn.Angles().left.pan_rad, sound.Angles().left.pan_rad, 0.05 * kRadians);
+  // It came from the left and stays half the play behind: what it sees lies further right.
+  const cv::Point moved = MovedBy(sound.Look().left.bgr, worn.Look().left.bgr);
+  EXPECT_NEAR(moved.x, sound.focal_px() * std::tan(kWidth_deg / 2 * kRadians), 1.5);
+  EXPECT_NEAR(moved.y, 0, 1);
 }
 
 }  // namespace
