@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints the driver's name and the hash of each fixed view, one a line, for tests that compare
 // processes:
-//   print_hashes BACKEND [reverse] [busy]
+//   print_hashes BACKEND [reverse] [busy] [dump=FILE]
+// dump= writes the pictures too: for each view width and height, colours, depths and ids, raw.
 // Exits 3 when this machine lacks the backend, with the reason on stderr.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <exception>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,15 +21,34 @@ namespace {
 
 constexpr Products kEverything{.rgb = true, .depth = true, .ids = true};
 
-void Print(const std::string& backend, bool reversed) {
+template <typename Pixel>
+void Write(const cv::Mat_<Pixel>& image, std::ofstream& file) {
+  file.write(reinterpret_cast<const char*>(image.data),
+             static_cast<std::streamsize>(image.total() * image.elemSize()));
+}
+
+void Dump(const RenderedView& view, std::ofstream& file) {
+  const int size[2] = {view.bgr.cols, view.bgr.rows};
+  file.write(reinterpret_cast<const char*>(size), sizeof size);
+  Write(view.bgr, file);
+  Write(view.depth, file);
+  Write(view.ids, file);
+}
+
+void Print(const std::string& backend, bool reversed, const std::string& dump) {
   const auto world = World::FromXml(testing::kShowroomXml);
   const std::vector<PosedCamera> views = testing::FixedViews();
   Renderer renderer(*world, {.gl_backend = backend, .width = 320, .height = 240});
   std::vector<std::uint64_t> hashes(views.size());
+  std::ofstream file;
+  if (!dump.empty()) file.open(dump, std::ios::binary);
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::size_t k = reversed ? views.size() - 1 - i : i;
-    hashes[k] = testing::Hash(renderer.Render(views[k].X_WC, views[k].camera, kEverything));
+    const RenderedView seen = renderer.Render(views[k].X_WC, views[k].camera, kEverything);
+    hashes[k] = testing::Hash(seen);
+    if (file.is_open()) Dump(seen, file);
   }
+  if (!dump.empty() && !file.flush()) throw std::runtime_error("cannot write " + dump);
   std::printf("%s\n", renderer.gl_renderer().c_str());
   for (const std::uint64_t hash : hashes) std::printf("%016lx\n", hash);
 }
@@ -52,9 +74,14 @@ int main(int argc, char** argv) {
       }
     });
   }
+  const std::string dump_to = "dump=";
+  std::string dump;
+  for (const std::string& arg : args) {
+    if (arg.rfind(dump_to, 0) == 0) dump = arg.substr(dump_to.size());
+  }
   int status = 0;
   try {
-    horopter::sim::Print(backend, asked("reverse"));
+    horopter::sim::Print(backend, asked("reverse"), dump);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     status = 1;
