@@ -12,6 +12,7 @@
 
 #include "hardware/types/camera_model.h"
 #include "sim/oracle/collision_oracle.h"
+#include "sim/rooms/room.h"
 #include "sim/truth/drawn_shape.h"
 #include "sim/truth/scene_snapshot.h"
 #include "sim/world/world.h"
@@ -50,11 +51,12 @@ std::vector<Eye> EyesOf(const World& world) {
   return eyes;
 }
 
-/// A Bullet world of what cameras see, meshes apart, since Bullet takes their hulls.
-CollisionOracle OracleOfVisible(World& world) {
+/// A Bullet world of what cameras see: either all but meshes, or the hulls that Bullet makes of
+/// them.
+CollisionOracle OracleOfVisible(World& world, bool meshes) {
   mjModel& model = world.mutable_model();
   for (int geom = 0; geom < model.ngeom; ++geom) {
-    const bool solid = IsDrawn(model, geom) && model.geom_type[geom] != mjGEOM_MESH;
+    const bool solid = IsDrawn(model, geom) && (model.geom_type[geom] == mjGEOM_MESH) == meshes;
     model.geom_contype[geom] = model.geom_conaffinity[geom] = solid ? 1 : 0;
   }
   CollisionOracle oracle(model);
@@ -82,19 +84,38 @@ struct Disagreement {
 
 struct SceneRays {
   Disagreement drawn_flat, drawn_round, bullet_flat, bullet_round;
+  Disagreement hull;           ///< of Bullet's hulls with the meshes they are around
+  double deepest_hull_m = 0;   ///< by which a mesh lies behind its hull, along a ray
+  double farthest_hull_m = 0;  ///< by which a hull lies behind its mesh, which it must not
   int rays = 0;
   int other_geom = 0;         ///< drawn and analytic meet different things: silhouettes
   int other_geom_bullet = 0;  ///< likewise Bullet
 };
 
+/// A ray that meets a mesh at `t` against the hulls: none is met later, and the mesh's own is met
+/// at the mesh or before.
+void AddHull(const CollisionOracle& hulls, const Vector3d& from, const Vector3d& along, double t,
+             int geom, double focal_px, SceneRays& result) {
+  const auto hit = hulls.CastRay(from, from + (kFar_m + 1) * along);
+  if (!hit) {
+    ++result.other_geom_bullet;
+    return;
+  }
+  const double depth = hit->distance_m / along.norm();
+  result.farthest_hull_m = std::max(result.farthest_hull_m, (depth - t) * along.norm());
+  if (hit->geom != geom) return;  // another hull before it
+  result.hull.Add(kNear_m + depth, kNear_m + t, focal_px);
+  result.deepest_hull_m = std::max(result.deepest_hull_m, (t - depth) * along.norm());
+}
+
 /// Casts rays from every camera three ways: at what the renderer draws, at MuJoCo's analytic
 /// shapes, and at Bullet's. All begin kNear_m deep, so that no eye looks at its own housing from
 /// inside.
-SceneRays CastAll(const std::filesystem::path& scene) {
-  World world(scene);
+SceneRays CastAll(World& world) {
   const SceneSnapshot drawn(std::make_shared<SceneShapes>(world.model()), world.data());
   const std::vector<Eye> eyes = EyesOf(world);
-  const CollisionOracle bullet = OracleOfVisible(world);
+  const CollisionOracle bullet = OracleOfVisible(world, false);
+  const CollisionOracle hulls = OracleOfVisible(world, true);
   constexpr mjtByte kGroups[mjNGROUP] = {1, 1, 1, 0, 0, 0};
   SceneRays result;
   for (const Eye& eye : eyes) {
@@ -117,7 +138,11 @@ SceneRays CastAll(const std::filesystem::path& scene) {
           ++result.other_geom;
         }
         const bool skipped = (x / 16 + y / 16) % 2 == 1;  // Bullet's are slow
-        if (skipped || world.model().geom_type[geom] == mjGEOM_MESH) continue;
+        if (world.model().geom_type[geom] == mjGEOM_MESH) {
+          AddHull(hulls, from, along, t, geom, focal_px, result);
+          continue;
+        }
+        if (skipped) continue;
         const auto hit = bullet.CastRay(from, from + (kFar_m + 1) * along);
         if (hit && hit->geom == geom) {
           (flat ? result.bullet_flat : result.bullet_round)
@@ -131,9 +156,21 @@ SceneRays CastAll(const std::filesystem::path& scene) {
   return result;
 }
 
+/// A shipped scene, or "rooms/N.xml": the room that the seed N makes.
+std::unique_ptr<World> Load(const std::string& name) {
+  const std::filesystem::path scenes = std::filesystem::path(HOROPTER_SOURCE_DIR) / "scenes";
+  const std::string rooms = "rooms/";
+  if (name.rfind(rooms, 0) != 0) return std::make_unique<World>(scenes / name);
+  RoomConfig config;
+  config.scene = scenes / "koala" / "empty_room.xml";
+  config.goals_m = {{2.6, 0.2}};
+  return World::FromXml(GenerateRoom(config, std::stoull(name.substr(rooms.size()))).mjcf);
+}
+
 std::vector<std::string> Scenes() {
-  return {"koala/room.xml", "koala/chessboard_room.xml", "nao/workspace.xml", "nao/outdoor.xml",
-          "yorick/tabletop.xml"};
+  return {"koala/room.xml",  "koala/chessboard_room.xml", "nao/workspace.xml",
+          "nao/outdoor.xml", "yorick/tabletop.xml",       "rooms/1.xml",
+          "rooms/2.xml"};
 }
 
 class SceneRay : public testing::TestWithParam<std::string> {};
@@ -146,8 +183,8 @@ std::string TestName(const testing::TestParamInfo<std::string>& info) {
 }
 
 TEST_P(SceneRay, MujocoBulletAndTheRendererAgreeOnDepth) {
-  const SceneRays rays =
-      CastAll(std::filesystem::path(HOROPTER_SOURCE_DIR) / "scenes" / GetParam());
+  const std::unique_ptr<World> world = Load(GetParam());
+  const SceneRays rays = CastAll(*world);
   const auto record = [](const char* name, const Disagreement& d) {
     testing::Test::RecordProperty(
         name, fmt::format("{:.1e} of depth, {:.4f} px at most, {:.4f} px for 95 %, {} rays",
@@ -157,6 +194,8 @@ TEST_P(SceneRay, MujocoBulletAndTheRendererAgreeOnDepth) {
   record("drawn round", rays.drawn_round);
   record("bullet flat", rays.bullet_flat);
   record("bullet round", rays.bullet_round);
+  record("bullet hulls of meshes", rays.hull);
+  RecordProperty("mesh behind its hull at most [m]", fmt::format("{:.4f}", rays.deepest_hull_m));
   RecordProperty("rays", rays.rays);
   RecordProperty("other geom", rays.other_geom);
   RecordProperty("other geom by bullet", rays.other_geom_bullet);
@@ -166,6 +205,8 @@ TEST_P(SceneRay, MujocoBulletAndTheRendererAgreeOnDepth) {
   EXPECT_LT(rays.bullet_flat.relative, 1e-4);
   // Bullet's 1e-6 m off a round surface are more along a ray that grazes it.
   EXPECT_LT(rays.bullet_round.relative, 1e-3);
+  // A hull holds its mesh; how far the mesh lies behind it is in the properties.
+  EXPECT_LT(rays.farthest_hull_m, 1e-4);
   // What facets leave of round shapes, the most where rays graze them; the numbers of each scene
   // are in the test's properties.
   EXPECT_LT(rays.drawn_round.relative, 0.03);

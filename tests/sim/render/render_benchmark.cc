@@ -93,6 +93,27 @@ void OurPair(benchmark::State& state, const BenchSceneName& name, const Products
   });
 }
 
+/// A pair when everything moves, so that no shadow map of the frame before holds: every light
+/// moves, which moves every shadow.
+void OurPairInMotion(benchmark::State& state, const BenchSceneName& name) {
+  BenchScene& scene = SceneOf(name);
+  Renderer renderer(scene.world());
+  Stopwatch stopwatch(state);
+  int frame = 0;
+  for (auto _ : state) {
+    scene.Next();  // puts the lights back
+    const double moved_m = 1e-3 * (1 + ++frame % 10);
+    for (int i = 0; i < scene.world().model().nlight; ++i) {
+      for (int k = 0; k < 2; ++k) {
+        scene.world().mutable_data().light_xpos[3 * i + k] += moved_m;
+        scene.world().mutable_data().light_xdir[3 * i + k] += moved_m;
+      }
+    }
+    const auto pair = scene.Pair();
+    stopwatch.Time(1, [&] { benchmark::DoNotOptimize(renderer.RenderAll(pair, kAll)); });
+  }
+}
+
 /// Two renderers of two worlds, each on a thread of its own, a pair each; the time of one pair.
 void OurPairsOnTwoThreads(benchmark::State& state, const BenchSceneName& name) {
   BenchScene &one = SceneOf(name), &two = SceneOf(name, 1);
@@ -186,6 +207,7 @@ void RegisterAll() {
     }
     Register(scene.name + "/supersampled",
              [=](benchmark::State& s) { OurPair(s, scene, kAll, {.supersample = true}); });
+    Register(scene.name + "/in_motion", [=](benchmark::State& s) { OurPairInMotion(s, scene); });
     Register(scene.name + "/two", [=](benchmark::State& s) { OurPairsOnTwoThreads(s, scene); });
     Register(scene.name + "/empty", [=](benchmark::State& s) { OurEmptyPair(s, scene); });
     Register(scene.name + "/first_shadows",
@@ -217,6 +239,8 @@ void PrintRatios(const Medians& medians) {
     const std::string peer = scene.name + "/shadows/rgb+depth+ids/peer";
     PrintRatio(medians, scene.name, "rgb+depth+ids, two renderers on two threads, per pair", "on",
                peer, scene.name + "/two");
+    PrintRatio(medians, scene.name, "rgb+depth+ids, everything moves: no shadow map is kept", "on",
+               peer, scene.name + "/in_motion");
     PrintRatio(medians, scene.name, "rgb+depth+ids, colour from 2 x 2 samples", "on", peer,
                scene.name + "/supersampled");
   }
