@@ -19,7 +19,7 @@ namespace horopter::control {
 struct NavigatorConfig {
   ObstacleTest obstacle_test = ObstacleTest::kCorridor;
   StripConfig strips;
-  double obstacle_distance_m = 0.9;    ///< an obstacle nearer than this is avoided
+  double obstacle_distance_m = 1.2;    ///< an obstacle nearer than this is avoided
   double avoid_angle_rad = M_PI / 10;  ///< of the intermediate waypoint, off the robot's heading
   double avoid_fraction = 0.5;         ///< its distance, as a part of the remaining distance
   double avoid_min_m = 0.5;            ///< and the bounds of that distance

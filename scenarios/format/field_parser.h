@@ -20,6 +20,16 @@ struct ParseReport {
   /// Paths of the steps ("steps[2]") in which something was wrong.
   std::set<std::string> broken;
 
+  /// A field's place, or the document's when the default stands.
+  SourceMark MarkOf(const std::string& path, const SourceMark& root) const {
+    const auto found = marks.find(path);
+    return found == marks.end() ? root : found->second;
+  }
+
+  /// Whether something was wrong in an element of a list, so that its values are not what the file
+  /// meant.
+  bool IsBroken(const std::string& path) const { return broken.count(path) > 0; }
+
   void Add(const SourceMark& mark, std::string message) {
     diagnostics.push_back({mark, std::move(message)});
   }

@@ -70,10 +70,18 @@ std::vector<Metric> MakeMetrics() {
                .min = -kUnbounded});
   m.push_back({.name = "board.depth_error.mean",
                .unit = "m",
-               .doc = "magnitude of the mean signed depth error over the board's squares"});
+               .doc = "magnitude of the mean signed depth error over the board's squares",
+               .needs = MetricNeeds::kBoard});
   m.push_back({.name = "board.depth_error.std",
                .unit = "m",
-               .doc = "standard deviation of the depth error over the board's squares"});
+               .doc = "standard deviation of the depth error over the board's squares",
+               .needs = MetricNeeds::kBoard});
+  m.push_back({.name = "board.density",
+               .unit = "",
+               .doc = "share of the pixels on the board's squares that have a depth",
+               .better = Better::kHigher,
+               .needs = MetricNeeds::kBoard,
+               .max = 1});
   AddFamily(m,
             {.name = "fixation.error_deg",
              .unit = "deg",

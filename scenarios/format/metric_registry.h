@@ -13,7 +13,7 @@ namespace horopter::scenarios {
 enum class Better { kLower, kHigher, kNearZero };
 
 /// What a scenario must contain for a metric to have a value.
-enum class MetricNeeds { kNothing, kGoal, kFixation };
+enum class MetricNeeds { kNothing, kGoal, kFixation, kBoard };  // kBoard: one to fixate
 
 /// A quantity that a run is scored by.
 struct Metric {

@@ -10,6 +10,7 @@
 
 #include "control/kinematics/fixate.h"
 #include "scenarios/format/metric_registry.h"
+#include "scenarios/format/scene_checks.h"
 #include "scenarios/format/scene_names.h"
 #include "scenarios/format/scenes.h"
 #include "scenarios/format/suggest.h"
@@ -18,12 +19,6 @@ namespace horopter::scenarios {
 namespace {
 
 constexpr double kDegPerRad = 180 / M_PI;
-
-/// A field's place, or the document's when the default stands.
-SourceMark MarkOf(const ParseReport& report, const std::string& path, const SourceMark& root) {
-  const auto found = report.marks.find(path);
-  return found == report.marks.end() ? root : found->second;
-}
 
 void CheckName(const Scenario& scenario, const SourceMark& root, ParseReport& report) {
   static const std::regex valid("[A-Za-z0-9][A-Za-z0-9_. -]{0,79}");
@@ -39,9 +34,9 @@ bool CheckScene(const Scenario& scenario, const SourceMark& root,
                 const std::filesystem::path& scenes_dir, ParseReport& report) {
   if (scenario.scene.empty()) return false;  // reported as missing
   if (std::filesystem::is_regular_file(scenes_dir / scenario.scene)) return true;
-  report.Add(MarkOf(report, "scene", root), "scene '" + scenario.scene + "' is not in " +
-                                                scenes_dir.string() +
-                                                DidYouMean(scenario.scene, SceneNames(scenes_dir)));
+  report.Add(report.MarkOf("scene", root), "scene '" + scenario.scene + "' is not in " +
+                                               scenes_dir.string() +
+                                               DidYouMean(scenario.scene, SceneNames(scenes_dir)));
   return false;
 }
 
@@ -50,7 +45,7 @@ std::optional<RobotDescription> FindRobot(const Scenario& scenario, const Source
                                           ParseReport& report) {
   const auto names = RobotNames(scenes_dir);
   if (std::find(names.begin(), names.end(), scenario.robot) == names.end()) {
-    report.Add(MarkOf(report, "robot", root),
+    report.Add(report.MarkOf("robot", root),
                "unknown robot '" + scenario.robot + "': no robot.yaml in " +
                    (scenes_dir / scenario.robot).string() + DidYouMean(scenario.robot, names));
     return std::nullopt;
@@ -66,13 +61,13 @@ std::optional<RobotDescription> FindRobot(const Scenario& scenario, const Source
 /// What no single field of the camera's profile shows.
 void CheckProfile(const Scenario& scenario, const SourceMark& root, ParseReport& report) {
   for (const hardware::FieldError& error : scenario.camera.profile.Validate()) {
-    report.Add(MarkOf(report, error.field, root), error.ToString());
+    report.Add(report.MarkOf(error.field, root), error.ToString());
   }
 }
 
 void CheckMedian(const Scenario& scenario, const SourceMark& root, ParseReport& report) {
   if (scenario.vision.median_px % 2 == 1) return;
-  report.Add(MarkOf(report, "vision.median_px", root),
+  report.Add(report.MarkOf("vision.median_px", root),
              fmt::format("vision.median_px = {}: must be odd", scenario.vision.median_px));
 }
 
@@ -130,16 +125,11 @@ double HeldFor(const StepAction& action) {
   return 0;
 }
 
-/// Whether a step did not parse, so that its values are not what the file meant.
-bool IsBroken(const ParseReport& report, std::size_t step) {
-  return report.broken.count(fmt::format("steps[{}]", step)) > 0;
-}
-
 void CheckDurations(const Scenario& scenario, ParseReport& report) {
   const double limit_s = scenario.time_limit_s;
   double held_s = 0;
   for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
-    if (IsBroken(report, i)) continue;
+    if (report.IsBroken(fmt::format("steps[{}]", i))) continue;
     const Step& step = scenario.steps[i];
     const auto* go = std::get_if<GotoStep>(&step.action);
     if (go != nullptr && go->timeout_s > limit_s) {
@@ -175,7 +165,7 @@ void CheckRoom(const Scenario& scenario, const SourceMark& root, ParseReport& re
   if (!scenario.room) return;
   const RoomSpec& room = *scenario.room;
   if (room.max_obstacles < room.min_obstacles) {
-    report.Add(MarkOf(report, "room.max_obstacles", MarkOf(report, "room", root)),
+    report.Add(report.MarkOf("room.max_obstacles", report.MarkOf("room", root)),
                fmt::format("room.max_obstacles = {}: must be at least room.min_obstacles = {}",
                            room.max_obstacles, room.min_obstacles));
   }
@@ -183,7 +173,7 @@ void CheckRoom(const Scenario& scenario, const SourceMark& root, ParseReport& re
     return std::holds_alternative<GotoStep>(step.action);
   });
   if (!goes && !scenario.steps.empty()) {
-    report.Add(MarkOf(report, "room", root),
+    report.Add(report.MarkOf("room", root),
                "room: its path leads to the goals of goto steps, and there is none: add one");
   }
 }
@@ -212,7 +202,7 @@ std::vector<std::string> AxesOf(const FaultKind& kind) {
 
 void CheckFaults(const Scenario& scenario, const RobotDescription& robot, ParseReport& report) {
   for (std::size_t i = 0; i < scenario.faults.size(); ++i) {
-    if (report.broken.count(fmt::format("faults[{}]", i)) > 0) continue;
+    if (report.IsBroken(fmt::format("faults[{}]", i))) continue;
     for (const std::string& axis : AxesOf(scenario.faults[i].kind)) {
       const auto& names = hardware::kHeadAxisNames;
       const auto index = std::find(names.begin(), names.end(), axis) - names.begin();
@@ -227,33 +217,11 @@ void CheckSteps(const Scenario& scenario, const RobotDescription& robot, ParseRe
   bool at_start = true;
   for (std::size_t i = 0; i < scenario.steps.size(); ++i) {
     const Step& step = scenario.steps[i];
-    if (IsBroken(report, i)) continue;
+    if (report.IsBroken(fmt::format("steps[{}]", i))) continue;
     if (std::holds_alternative<GotoStep>(step.action)) at_start = false;
     if (!at_start) continue;
     const std::string why = WhyNot(step.action, robot);
     if (!why.empty()) report.Add(step.mark, why);
-  }
-}
-
-void CheckSceneContents(const Scenario& scenario, const RobotDescription& robot,
-                        const SourceMark& root, const std::filesystem::path& scenes_dir,
-                        ParseReport& report) {
-  const auto contents = ReadSceneContents(scenes_dir / scenario.scene);
-  if (!contents) return;
-  for (const auto& [name, placement] : scenario.bodies) {
-    if (contents->HasBody(name)) continue;
-    report.Add(MarkOf(report, "bodies." + name, root), "bodies." + name + ": scene '" +
-                                                           scenario.scene + "' has no such body" +
-                                                           DidYouMean(name, contents->bodies));
-  }
-  for (const auto& [pair, cameras] : robot.cameras) {
-    for (const std::string& camera : {cameras.left, cameras.right}) {
-      if (contents->HasCamera(camera)) continue;
-      report.Add(MarkOf(report, "scene", root),
-                 "scene '" + scenario.scene + "' has no camera '" + camera + "': robot '" +
-                     scenario.robot + "' does not stand in it; name a scene of its own");
-      return;
-    }
   }
 }
 
@@ -272,7 +240,9 @@ void CheckExpectations(const Scenario& scenario, ParseReport& report) {
                                        "' judges a goal, but no step is a "
                                        "goto: add one or drop the expectation");
     }
-    if (metric->needs == MetricNeeds::kFixation && !HasStep<FixateStep>(scenario)) {
+    const bool fixates =
+        metric->needs == MetricNeeds::kFixation || metric->needs == MetricNeeds::kBoard;
+    if (fixates && !HasStep<FixateStep>(scenario)) {
       report.Add(expectation.mark, "'" + expectation.text +
                                        "' judges a fixation, but no step is "
                                        "a fixate: add one or drop the expectation");
@@ -296,12 +266,14 @@ std::optional<RobotDescription> CheckScenario(const Scenario& scenario, const So
     const bool found = CheckScene(scenario, root, scenes_dir, report);
     robot = FindRobot(scenario, root, scenes_dir, report);
     if (robot && !robot->wheels) {
-      report.Add(MarkOf(report, "robot", root),
+      report.Add(report.MarkOf("robot", root),
                  "robot '" + scenario.robot +
                      "' plays no scenarios yet: they need one with wheels; `horopter render` shows "
                      "its scenes");
     }
-    if (found && robot) CheckSceneContents(scenario, *robot, root, scenes_dir, report);
+    if (found && robot) {
+      CheckAgainstScene(scenario, *robot, scenes_dir / scenario.scene, root, report);
+    }
   }
   if (robot) CheckSteps(scenario, *robot, report);
   if (robot) CheckFaults(scenario, *robot, report);

@@ -81,6 +81,7 @@ class GazeBehaviour final : public HoldGaze {
         context().geometry, context().limits, state.angles.neck, InBase(state.X_OB, target_O_));
     if (!fixation.reachable()) {
       out.failure = (converging_ ? "cannot fixate: " : "cannot look there: ") + fixation.why;
+      out.impossible = true;
     }
     if (!converging_) return Parallel(fixation.angles);
     out.fixated_O = target_O_;

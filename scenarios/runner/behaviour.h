@@ -28,8 +28,9 @@ struct StepOutput {
   hardware::Twist2 twist;
   std::optional<hardware::HeadAngles> head;  ///< nothing: stay
   bool done = false;
-  std::string failure;                       ///< why the step gave up; empty when it did not
-  std::string decision;                      ///< one line for the log
+  std::string failure;      ///< why the step gave up; empty when it did not
+  bool impossible = false;  ///< it gave up on what the scenario should not have asked for
+  std::string decision;     ///< one line for the log
   std::optional<Eigen::Vector3d> fixated_O;  ///< both axes should meet here now: to be scored
   std::optional<hardware::Pose2> waypoint_O;
 };

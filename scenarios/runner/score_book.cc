@@ -94,6 +94,8 @@ DepthScore ScoreBook::AddFrame(const cv::Mat1f& depth_m, const FrameTruth& truth
   for (int y = 0; y < depth_m.rows; ++y) {
     for (int x = 0; x < depth_m.cols; ++x) {
       const double estimate_m = depth_m(y, x), true_m = truth.depth_m(y, x);
+      const bool board_here = on_board && truth.board(y, x) != 0;
+      if (board_here) ++board_expected_;
       if (!std::isfinite(estimate_m)) continue;
       ++estimated;
       if (!std::isfinite(true_m) || true_m <= 0) continue;
@@ -101,7 +103,7 @@ DepthScore ScoreBook::AddFrame(const cv::Mat1f& depth_m, const FrameTruth& truth
       abs_rel.push_back(std::abs(error_m) / true_m);
       bias_sum_m += error_m;
       if (abs_rel.size() % kStride == 0) abs_rel_.push_back(static_cast<float>(abs_rel.back()));
-      if (!on_board || truth.board(y, x) == 0) continue;
+      if (!board_here) continue;
       board_sum_m_ += error_m;
       board_square_m2_ += error_m * error_m;
       ++board_pixels_;
@@ -148,6 +150,10 @@ std::map<std::string, double> ScoreBook::Metrics() const {
   add("depth.abs_rel.p95", Percentile95(abs_rel));
   add("depth.density", Mean(densities_));
   add("depth.bias", Mean(biases_m_));
+  if (board_expected_ > 0) {
+    metrics["board.density"] =
+        static_cast<double>(board_pixels_) / static_cast<double>(board_expected_);
+  }
   if (board_pixels_ > 0) {
     const double n = static_cast<double>(board_pixels_);
     const double mean = board_sum_m_ / n;

@@ -72,7 +72,8 @@ class ScoreBook {
   std::vector<double> biases_m_;
   std::vector<float> abs_rel_;                    ///< one in kStride of all scored pixels
   double board_sum_m_ = 0, board_square_m2_ = 0;  ///< of the errors of depth on the board
-  long board_pixels_ = 0;
+  long board_pixels_ = 0;                         ///< on the board, with a depth
+  long board_expected_ = 0;                       ///< on the board
   std::vector<GotoOutcome> gotos_;
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "control/base/unicycle.h"
+#include "scenarios/format/diagnostics.h"
 #include "scenarios/results/frame_pictures.h"
 
 namespace horopter::scenarios {
@@ -120,15 +121,22 @@ Session::Ending Session::Run() {
   const ActiveDevices active(backend_);
   Ending ending;
   for (const Step& step : scenario_.steps) {
-    ending = Play(step.action);
+    ending = Play(step);
     if (ending.interrupted || !ending.failure.empty()) break;
+  if (output.impossible) {
+    Fail(step.mark,
+         fmt::format("{}: {}, where the robot is by then; give another target, or a goto "
+                     "before that brings it into reach",
+                     name, output.failure));
+  }
   }
   return ending;
 }
 
 bool Session::OutOfTime() const { return ToSeconds(next_tick_) > scenario_.time_limit_s; }
 
-Session::Ending Session::Play(const StepAction& action) {
+Session::Ending Session::Play(const Step& step) {
+  const StepAction& action = step.action;
   const std::string name = StepName(action);
   const std::string out_of_time =
       fmt::format("the scenario's time limit of {:g} s has passed", scenario_.time_limit_s);

@@ -50,6 +50,7 @@ class Session {
   };
 
   /// @throws DeviceFailure when a device refuses what it must not
+  /// @throws ScenarioError when a step asks for a gaze that is impossible from where the robot is
   Ending Run();
 
   const ScoreBook& book() const { return book_; }
@@ -66,7 +67,7 @@ class Session {
   };
 
   bool OutOfTime() const;
-  Ending Play(const StepAction& action);
+  Ending Play(const Step& step);
   StepOutput Tick(Behaviour& behaviour, const std::string& step_name);
   StackState Read();
   void See(const StackState& state, const std::string& step_name);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "control/navigator/navigator_config.h"
 #include "scenarios/format/scenario_format.h"
 #include "tests/scenarios/format/corpus.h"
 
@@ -22,10 +23,12 @@ class ScenarioChecks : public testing::Test {
     }
     scenes_.Write("koala/robot.yaml", robot);
     scenes_.Write("koala/koala.xml",
-                  "<mujoco><worldbody><body name='base'><camera name='left'/><camera name='right'/>"
-                  "</body></worldbody></mujoco>");
+                  "<mujoco><worldbody><body name='base'><freejoint/><body name='head'><camera "
+                  "name='left'/><camera name='right'/></body></body></worldbody></mujoco>");
     scenes_.Write("koala/room.xml",
-                  "<mujoco><include file='koala.xml'/><worldbody><body name='board'/></worldbody>"
+                  "<mujoco><include file='koala.xml'/><worldbody><geom name='floor' type='plane' "
+                  "size='2.6 2 0.5' pos='1.6 0 0'/><body name='board'><geom name='board'/><body "
+                  "name='stand'/></body></worldbody>"
                   "</mujoco>");
     scenes_.Write("koala/shell.xml", "<mujoco/>");
   }
@@ -60,7 +63,7 @@ TEST_F(ScenarioChecks, TargetsBehindTheRobotAreRefused) {
 }
 
 TEST_F(ScenarioChecks, TargetsAfterADriveAreLeftToTheRun) {
-  EXPECT_EQ(Faults("goto: {x_m: -2, y_m: 0}\n  - fixate: {x_m: -3, y_m: 0, z_m: 0.3}"), "");
+  EXPECT_EQ(Faults("goto: {x_m: -0.9, y_m: 0}\n  - fixate: {x_m: -3, y_m: 0, z_m: 0.3}"), "");
 }
 
 TEST_F(ScenarioChecks, SaccadesStayWithinTheHeadsRange) {
@@ -94,6 +97,62 @@ TEST_F(ScenarioChecks, BodiesToPlaceMustBeInTheScene) {
   EXPECT_THAT(placed("bord"), HasSubstr("did you mean 'board'?"));
 }
 
+TEST_F(ScenarioChecks, OnlyWhatStandsInTheSceneCanBePlaced) {
+  const auto placed = [this](const std::string& body) {
+    return Faults("wait: {duration_s: 1}", "koala/room.xml",
+                  "bodies: {" + body + ": {position_m: [1, 0, 0]}}\n");
+  };
+  EXPECT_EQ(placed("stand"), "");
+  EXPECT_THAT(placed("base"), HasSubstr("s.yaml:2:16: bodies.base: moves on joints"));
+  EXPECT_THAT(placed("head"), HasSubstr("bodies.head: moves on joints"));
+}
+
+TEST_F(ScenarioChecks, BodiesLeaveTheRobotItsStart) {
+  const auto placed = [this](const std::string& position) {
+    return Faults("wait: {duration_s: 1}", "koala/room.xml",
+                  "bodies: {board: {position_m: " + position + "}}\n");
+  };
+  EXPECT_THAT(placed("[0, 0, 0]"),
+              HasSubstr("s.yaml:2:17: bodies.board: position_m = [0, 0, 0] is inside the robot at "
+                        "its start; place it more than 0.235 m from there"));
+  EXPECT_THAT(placed("[0.1, -0.2, 0.3]"), HasSubstr("is inside the robot"));
+  EXPECT_EQ(placed("[0.1, -0.22, 0.3]"), "");
+  EXPECT_EQ(placed("[0, 0, 0.5]"), "");
+}
+
+TEST_F(ScenarioChecks, GoalsAreOnTheFloor) {
+  EXPECT_EQ(Faults("goto: {x_m: 4.1, y_m: -1.9}"), "");
+  EXPECT_THAT(Faults("wait: {duration_s: 1}\n  - goto: {x_m: 100, y_m: 100}"),
+              HasSubstr("s.yaml:4:5: goto (100, 100) is off the floor of scene 'koala/room.xml': "
+                        "give x_m from -1 to 4.2 and y_m from -2 to 2"));
+  EXPECT_THAT(Faults("goto: {x_m: 1, y_m: -2.1}"), HasSubstr("is off the floor"));
+  scenes_.Write("koala/room.xml",
+                "<mujoco><include file='koala.xml'/><worldbody><geom name='floor' type='plane' "
+                "size='0 0 1'/></worldbody></mujoco>");
+  EXPECT_EQ(Faults("goto: {x_m: 90, y_m: 90}"), "");  // a floor without end
+}
+
+TEST_F(ScenarioChecks, BoardsAreJudgedWhereThereIsOne) {
+  const auto faults = [this](const std::string& scene) {
+    try {
+      ParseScenarioText("scene: " + scene +
+                            "\nsteps:\n  - fixate: {x_m: 1, y_m: 0, z_m: 0.3}\nexpect:\n"
+                            "  - board.depth_error.mean <= 1 cm\n  - board.density >= 0.5\n",
+                        "s.yaml", {scenes_.path()});
+    } catch (const ScenarioError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  scenes_.Write("koala/bare.xml", "<mujoco><include file='koala.xml'/></mujoco>");
+  EXPECT_EQ(faults("koala/room.xml"), "");
+  EXPECT_THAT(
+      faults("koala/bare.xml"),
+      testing::AllOf(HasSubstr("s.yaml:5:5: 'board.depth_error.mean <= 1 cm' judges a board, "
+                               "but scene 'koala/bare.xml' has no geom 'board'"),
+                     HasSubstr("s.yaml:6:5: 'board.density >= 0.5' judges a board")));
+}
+
 TEST_F(ScenarioChecks, HoldsAndTimeoutsFitIntoTheTimeLimit) {
   EXPECT_THAT(Faults("goto: {x_m: 1, y_m: 0, timeout_s: 500}"), HasSubstr("goto.timeout_s = 500"));
   EXPECT_THAT(Faults("wait: {duration_s: 500}"), HasSubstr("lasts at least 500 s"));
@@ -109,6 +168,10 @@ TEST_F(ScenarioChecks, WhatTheNavigatorCannotDoIsOutOfRange) {
       Faults("wait: {duration_s: 1}", "koala/room.xml",
              "navigation: {cruise_speed_m_s: 0.02, obstacle_limit_m: 5}\n"),
       testing::AllOf(HasSubstr("cruise_speed_m_s = 0.02"), HasSubstr("obstacle_limit_m = 5")));
+}
+
+TEST(NavigationSpec, LeavesTheObstacleLimitAtTheNavigatorsOwn) {
+  EXPECT_EQ(NavigationSpec{}.obstacle_limit_m, control::NavigatorConfig{}.obstacle_distance_m);
 }
 
 TEST_F(ScenarioChecks, RobotWithoutWheelsPlaysNoScenarioYet) {

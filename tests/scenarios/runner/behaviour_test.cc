@@ -70,6 +70,7 @@ TEST_F(BehaviourTest, TargetBehindTheRobotFailsWithTheReason) {
   const auto fixate = MakeBehaviour(FixateStep{{-1, 0, 0.3}, 0.5}, context_, navigator_);
   EXPECT_EQ(Play(*fixate, 0), 0);
   EXPECT_THAT(outputs_.back().failure, testing::HasSubstr("cannot fixate"));
+  EXPECT_TRUE(outputs_.back().impossible);
   EXPECT_FALSE(outputs_.back().fixated_O.has_value());  // a gaze never held is not scored
 }
 

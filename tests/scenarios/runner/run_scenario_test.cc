@@ -177,12 +177,16 @@ TEST_F(RunScenarioTest, StagesAreTimed) {
   EXPECT_GE(cycle.p95_ms, run.timing_ms.at("disparity").median_ms);
 }
 
-TEST_F(RunScenarioTest, ImpossibleTargetFailsTheRunAndSaysWhy) {
-  Scenario scenario = Short();
-  scenario.steps[0].action = FixateStep{{-1, 0, 0.3}, 0.3};
-  const RunSummary run = Play(scenario, "run");
-  EXPECT_EQ(run.outcome, Outcome::kFailed);
-  EXPECT_THAT(run.error, testing::HasSubstr("cannot fixate"));
+TEST_F(RunScenarioTest, TargetThatADriveLeavesBehindIsAnErrorOfItsStep) {
+  std::string text = kShort;
+  text.replace(text.find("expect:"), 0, "  - fixate: {x_m: 0.12, y_m: 0.0, z_m: 0.30}\n");
+  const FinishedRun run = Finished(ParseScenarioText(text, "short.yaml", {ScenesDir()}), "run");
+  EXPECT_EQ(run.exit_code, ExitCode::kBadInput);
+  EXPECT_EQ(run.summary.outcome, Outcome::kError);
+  EXPECT_THAT(run.summary.error,
+              testing::StartsWith("short.yaml:9:5: fixate: cannot fixate: target (-"));
+  EXPECT_THAT(run.summary.error, testing::HasSubstr("is behind the eyes"));
+  EXPECT_EQ(run.summary.error.find('\n'), std::string::npos);
 }
 
 TEST_F(RunScenarioTest, FramesTakenWhileFixatingHaveTheirError) {

@@ -132,6 +132,20 @@ TEST(ScoreBook, BoardErrorIsTakenOverTheBoardAlone) {
   EXPECT_NEAR(metrics.at("board.depth_error.std"), 0.01, 1e-6);
 }
 
+TEST(ScoreBook, BoardDensityIsTheShareOfTheBoardWithADepth) {
+  FrameTruth truth{cv::Mat1f(10, 10, 1.0f), cv::Mat1b(10, 10, uchar{0})};
+  truth.board(cv::Rect(0, 0, 10, 4)) = 255;
+  cv::Mat1f depth(10, 10, std::numeric_limits<float>::quiet_NaN());
+  depth.row(0) = 1.0f;  // a quarter of the board, perfectly
+  depth.row(9) = 1.0f;  // not on it
+  ScoreBook book;
+  book.AddFrame(depth, truth, /*fixating=*/true);
+  EXPECT_DOUBLE_EQ(book.Metrics().at("board.density"), 0.25);
+  EXPECT_NEAR(book.Metrics().at("board.depth_error.mean"), 0, 1e-6);
+  book.AddFrame(cv::Mat1f(10, 10, std::numeric_limits<float>::quiet_NaN()), truth, true);
+  EXPECT_DOUBLE_EQ(book.Metrics().at("board.density"), 0.125);
+}
+
 TEST(ScoreBook, BoardCountsOnlyWhileFixating) {
   FrameTruth truth{cv::Mat1f(4, 4, 1.0f), cv::Mat1b(4, 4, uchar{255})};
   ScoreBook book;
