@@ -13,6 +13,7 @@
 #include "scenarios/format/diagnostics.h"
 #include "scenarios/format/suggest.h"
 #include "scenarios/runner/exit_code.h"
+#include "scenarios/runner/versions.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -95,7 +96,7 @@ int RunCommandLine(int argc, const char* const* argv) {
       "Plays scripted navigation and fixation scenarios on a virtual or real stereo head "
       "and says how wrong the vision was."};
   app.name("horopter");
-  app.set_version_flag("--version", std::string("horopter ") + HOROPTER_VERSION);
+  app.set_version_flag("--version", "horopter " + Version());
   app.footer(kFooter);
   app.require_subcommand(0, 1);
   const std::vector<Command> commands = {

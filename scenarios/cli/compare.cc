@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
 #include "scenarios/cli/paired_noise.h"
 #include "scenarios/results/results_error.h"
+#include "scenarios/results/run_record.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -227,6 +229,12 @@ bool AnyWorse(const Changes& changes) {
                      [](const auto& c) { return c.verdict == Verdict::kWorse; });
 }
 
+std::vector<std::string> BuildsOf(const std::vector<RunSummary>& runs) {
+  std::set<std::string> builds;
+  for (const RunSummary& run : runs) builds.insert(DescribeBuild(run.versions));
+  return {builds.begin(), builds.end()};
+}
+
 }  // namespace
 
 bool SuiteComparison::OutcomesOrMetricsRegressed() const {
@@ -250,6 +258,8 @@ double Worsening(const Metric& metric, double before, double after) {
 SuiteComparison Compare(const std::vector<RunSummary>& before,
                         const std::vector<RunSummary>& after) {
   SuiteComparison comparison;
+  comparison.builds_before = BuildsOf(before);
+  comparison.builds_after = BuildsOf(after);
   const auto olds = ByKey(before);
   const auto news = ByKey(after);
   std::map<GroupKey, std::vector<RunPair>> groups;

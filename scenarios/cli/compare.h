@@ -61,7 +61,9 @@ struct TimingChange {
 };
 
 struct SuiteComparison {
-  int pairs = 0;                     ///< runs that both sides have
+  int pairs = 0;                           ///< runs that both sides have
+  std::vector<std::string> builds_before;  ///< that played the old runs, each once
+  std::vector<std::string> builds_after;
   std::vector<std::string> missing;  ///< runs, and in them expectations and metrics, that only the
                                      ///< old side has
   std::vector<std::string> added;    ///< runs that only the new side has

@@ -117,7 +117,8 @@ std::string TimingRows(const std::vector<TimingChange>& changes, bool all) {
 }  // namespace
 
 std::string CompareTable(const SuiteComparison& c, bool all) {
-  return fmt::format("{} runs on both sides\n", c.pairs) +
+  return fmt::format("{} runs on both sides\nold: horopter {}\nnew: horopter {}\n", c.pairs,
+                     fmt::join(c.builds_before, " and "), fmt::join(c.builds_after, " and ")) +
          List("Only in the old results:", c.missing) + List("Only in the new results:", c.added) +
          Outcomes(c.outcomes) + MetricRows(c.metrics, all) + TimingRows(c.timings, all);
 }

@@ -3,27 +3,16 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <string_view>
-#include <thread>
 
 #include "scenarios/format/backends.h"
 #include "scenarios/format/scenes.h"
+#include "scenarios/runner/machine.h"
 #include "scenarios/runner/versions.h"
 #include "sim/render/gl_context.h"
 
 namespace horopter::scenarios {
 namespace {
-
-std::string Processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (!line.starts_with("model name")) continue;
-    const auto colon = line.find(": ");
-    if (colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "";
-}
 
 std::vector<std::string> CpuFeatures() {
   std::vector<std::string> features;
@@ -74,8 +63,9 @@ bool Diagnosis::Usable(const std::string& backend) const {
 Diagnosis Diagnose() {
   Diagnosis d;
   d.versions = LibraryVersions();
-  d.processor = Processor();
-  d.cores = std::thread::hardware_concurrency();
+  const Machine machine = ThisMachine();
+  d.processor = machine.processor;
+  d.cores = machine.cores;
   d.cpu_features = CpuFeatures();
   for (std::string_view backend : sim::GlBackends()) d.gl.push_back(DiagnoseGl(backend));
   d.scenes_dir = ScenesDir().string();

@@ -29,6 +29,7 @@ struct RunArguments {
   std::string out;
   int jobs = 1;
   bool resume = false;
+  bool overwrite = false;
   double time_limit_s = 0;
 };
 
@@ -48,7 +49,8 @@ SuiteOptions ToOptions(const RunArguments& a) {
   options.tags = a.tags;
   options.out = a.out;
   options.jobs = a.jobs;
-  options.resume = a.resume;
+  if (a.resume) options.earlier = EarlierResults::kResume;
+  if (a.overwrite) options.earlier = EarlierResults::kReplace;
   if (a.time_limit_s > 0) options.wall_limit_s = a.time_limit_s;
   return options;
 }
@@ -87,7 +89,11 @@ Command AddRunCommand(CLI::App& parent) {
       ->allow_extra_args(false);  // or it would swallow the inputs behind it
   app->add_option("--out", a->out, "Results folder [results/run-<date>-<time>]");
   app->add_option("--jobs", a->jobs, "Runs beside each other [1]")->check(CLI::Range(1, kMostJobs));
-  app->add_flag("--resume", a->resume, "Go on in --out, keeping the runs that have ended");
+  auto* resume = app->add_flag("--resume", a->resume,
+                               "Go on in --out, keeping the runs that ended with the same scenario "
+                               "and the same build");
+  app->add_flag("--overwrite", a->overwrite, "Replace the results that --out already has")
+      ->excludes(resume);
   app->add_option("--time-limit", a->time_limit_s, "Wall-clock seconds for everything")
       ->check(CLI::PositiveNumber);
   app->footer(
@@ -95,15 +101,17 @@ Command AddRunCommand(CLI::App& parent) {
       "  horopter run scenarios/koala/first_waypoint.yaml --seed 3\n"
       "  horopter run scenarios/ --tag navigation --seeds 1-20 --jobs 2 --out results/nightly\n"
       "  horopter run scenarios/ --seeds 1-20 --out results/nightly --resume");
-  return {app, [a] {
-            if (!BackendIsThere(a->backend)) {
-              return static_cast<int>(ExitCode::kHardwareUnavailable);
-            }
-            if (a->resume && a->out.empty()) {
-              throw std::invalid_argument("--resume needs the folder to go on in: add --out DIR");
-            }
-            return static_cast<int>(RunSuite(ToOptions(*a), std::cout, std::cerr));
-          }};
+  return {
+      app, [a] {
+        if (!BackendIsThere(a->backend)) {
+          return static_cast<int>(ExitCode::kHardwareUnavailable);
+        }
+        if (a->out.empty() && (a->resume || a->overwrite)) {
+          throw std::invalid_argument(std::string(a->resume ? "--resume" : "--overwrite") +
+                                      " needs the folder of the earlier results: add --out DIR");
+        }
+        return static_cast<int>(RunSuite(ToOptions(*a), std::cout, std::cerr));
+      }};
 }
 
 }  // namespace horopter::scenarios

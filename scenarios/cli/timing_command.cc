@@ -40,6 +40,24 @@ std::map<std::string, StageOverRuns> Gather(const std::vector<RunSummary>& runs)
 
 std::string Cell(std::optional<double> ms) { return ms ? fmt::format("{:.3f}", *ms) : "-"; }
 
+/// "Intel Xeon, 2 cores; load when the runs began 0.10 to 1.92", a line per machine.
+void PrintMachines(const std::vector<RunSummary>& runs) {
+  std::map<std::string, std::vector<double>> loads;
+  for (const RunSummary& run : runs) {
+    std::vector<double>& of_machine = loads[DescribeMachine(run.machine)];
+    if (run.machine.load) of_machine.push_back(*run.machine.load);
+  }
+  for (const auto& [machine, load] : loads) {
+    std::cout << machine;
+    if (!load.empty()) {
+      const auto [least, most] = std::minmax_element(load.begin(), load.end());
+      std::cout << fmt::format("; load when the runs began {:.2f} to {:.2f}", *least, *most);
+    }
+    std::cout << '\n';
+  }
+  std::cout << '\n';
+}
+
 void PrintMarkdown(const std::vector<RunSummary>& runs) {
   std::cout << "| stage | median ms | worst run's 95 % ms | passes |\n|---|---:|---:|---:|\n";
   for (const auto& [name, stage] : Gather(runs)) {
@@ -56,12 +74,15 @@ Command AddTimingCommand(CLI::App& parent) {
   const auto folder = std::make_shared<std::string>();
   app->add_option("RESULTS", *folder, "Results folder of one run or several")->required();
   app->footer(
-      "\nThe median over the runs' medians, and the worst of their 95th percentiles.\n"
+      "\nThe machines that the runs were played on, and how busy they were; the median over the\n"
+      "runs' medians, and the worst of their 95th percentiles.\n"
       "\nExample:\n"
       "  horopter run scenarios/ --out results/timing\n"
       "  horopter timing results/timing");
   return {app, [folder] {
-            PrintMarkdown(ReadSuiteSummary(*folder));
+            const std::vector<RunSummary> runs = ReadSuiteSummary(*folder);
+            PrintMachines(runs);
+            PrintMarkdown(runs);
             return static_cast<int>(ExitCode::kPassed);
           }};
 }

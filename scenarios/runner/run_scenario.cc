@@ -10,6 +10,8 @@
 #include "scenarios/format/scenario_format.h"
 #include "scenarios/format/scenes.h"
 #include "scenarios/results/statistics.h"
+#include "scenarios/runner/machine.h"
+#include "scenarios/runner/stack_config.h"
 #include "scenarios/runner/versions.h"
 
 namespace horopter::scenarios {
@@ -39,6 +41,7 @@ ExitCode CodeOf(Outcome outcome) {
 void Play(const Scenario& scenario, const RunHooks& hooks, RunWriter& writer, RunSummary& summary,
           PlanRecord& plan) {
   const RobotDescription robot = LoadRobotDescription(RobotFile(ScenesDir(), scenario.robot));
+  writer.AddRecord(kStackRecordFile, StackRecord(scenario, robot));
   hardware::StageTimes times;
   const auto backend = CreateBackend(scenario, robot, times);
   summary.gl_renderer = backend->gl_renderer();
@@ -97,6 +100,7 @@ FinishedRun RunScenario(const Scenario& scenario, const std::filesystem::path& f
   const auto start = std::chrono::steady_clock::now();
   FinishedRun run{IdentityOf(scenario)};
   run.summary.directory = folder.filename().string();
+  run.summary.machine = ThisMachine();
   RunWriter writer(folder, ResolvedYaml(scenario), run.summary);
   PlanRecord plan;
   try {

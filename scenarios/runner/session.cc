@@ -11,6 +11,7 @@
 #include "control/base/unicycle.h"
 #include "scenarios/format/diagnostics.h"
 #include "scenarios/results/frame_pictures.h"
+#include "scenarios/runner/stack_config.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -41,28 +42,6 @@ void Demand(const Result<void>& result, const char* what) {
 
 hardware::PerEye<hardware::CameraModel> Models(const hardware::CameraPair& cameras) {
   return {cameras.model(hardware::Eye::kLeft), cameras.model(hardware::Eye::kRight)};
-}
-
-/// By how much a view may be older than it gets in the regular course before the robot stops.
-constexpr double kViewAgeMargin = 1.25;
-
-/// Room beside the robot, and before it, that a corridor and a stop leave.
-constexpr double kSideRoom_m = 0.045;
-constexpr double kFrontRoom_m = 0.185;
-
-control::NavigatorConfig NavigatorConfigOf(const Scenario& scenario,
-                                           const RobotDescription& robot) {
-  const NavigationSpec& spec = scenario.navigation;
-  control::NavigatorConfig config =
-      spec.rule == "paper" ? control::NavigatorConfig::Paper() : control::NavigatorConfig();
-  config.obstacle_distance_m = spec.obstacle_limit_m;
-  config.strips.corridor_half_width_m = robot.radius_m + kSideRoom_m;
-  if (spec.rule != "paper") config.stop_distance_m = robot.radius_m + kFrontRoom_m;
-  config.controller.linear.output_limit = spec.cruise_speed_m_s;
-  // A view is oldest just before the next one arrives: its own latency, and the next one's cycle.
-  const double cycle_s = std::max(scenario.vision.latency_s, 1 / scenario.vision.rate_hz);
-  config.max_view_age_s = kViewAgeMargin * (scenario.vision.latency_s + cycle_s);
-  return config;
 }
 
 BehaviourContext ContextOf(const Scenario& scenario, const RobotDescription& robot) {

@@ -8,24 +8,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <list>
-#include <map>
 #include <memory>
-#include <sstream>
-#include <system_error>
 #include <utility>
 
-#include "scenarios/format/find_scenarios.h"
-#include "scenarios/format/scenario_format.h"
-#include "scenarios/format/scenes.h"
-#include "scenarios/results/results_error.h"
 #include "scenarios/results/suite.h"
 #include "scenarios/results/timing_notice.h"
+#include "scenarios/runner/earlier_results.h"
 #include "scenarios/runner/expected_time.h"
 #include "scenarios/runner/progress.h"
 #include "scenarios/runner/results_folder.h"
 #include "scenarios/runner/run_process.h"
+#include "scenarios/runner/suite_jobs.h"
 #include "scenarios/runner/table.h"
 
 namespace horopter::scenarios {
@@ -34,82 +28,9 @@ namespace {
 namespace fs = std::filesystem;
 using WallClock = RunProcess::WallClock;
 
-/// One (scenario, seed) of the suite.
-struct Job {
-  Scenario scenario;
-  fs::path folder;  ///< below the suite's
-  std::optional<FinishedRun> finished;
-  bool kept = false;  ///< finished by an earlier suite
-};
-
-bool HasTag(const Scenario& scenario, const std::vector<std::string>& tags) {
-  return tags.empty() || std::any_of(tags.begin(), tags.end(), [&scenario](const auto& tag) {
-           return std::count(scenario.tags.begin(), scenario.tags.end(), tag) > 0;
-         });
-}
-
-/// "koala-first_waypoint" of .../scenarios/koala/first_waypoint.yaml
-std::string FolderStem(const Scenario& scenario) {
-  const fs::path file = fs::absolute(scenario.file);
-  return file.parent_path().filename().string() + "-" + file.stem().string();
-}
-
-std::vector<Job> MakeJobs(const SuiteOptions& options) {
-  std::vector<Diagnostic> diagnostics;
-  std::vector<Job> jobs;
-  std::map<std::string, fs::path> files;  // by the stem of their results folders
-  for (const fs::path& file : FindScenarios(options.inputs)) {
-    try {
-      Scenario scenario = ParseScenario(file, {ScenesDir()});
-      if (!HasTag(scenario, options.tags)) continue;
-      const std::string stem = FolderStem(scenario);
-      const auto [other, fresh] = files.emplace(stem, file);
-      if (!fresh) {
-        Diagnostic& clash = diagnostics.emplace_back();
-        clash.mark.file = file.string();
-        clash.message = fmt::format(
-            "its results would go where those of {} go, {}-seed*: rename one of the files",
-            other->second.string(), stem);
-        continue;
-      }
-      if (options.backend) scenario.backend = *options.backend;
-      if (options.gl) scenario.gl = *options.gl;
-      std::vector<std::uint64_t> seeds = options.seeds;
-      if (seeds.empty()) seeds.push_back(scenario.seed);
-      for (const std::uint64_t seed : seeds) {
-        scenario.seed = seed;
-        jobs.push_back({scenario, fmt::format("{}-seed{}", stem, seed), {}});
-      }
-    } catch (const ScenarioError& error) {
-      diagnostics.insert(diagnostics.end(), error.diagnostics().begin(), error.diagnostics().end());
-    }
-  }
-  ThrowIfAny(std::move(diagnostics));
-  return jobs;
-}
-
-std::string ReadText(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// The run that is already there, when it ended and was of the same resolved scenario.
-std::optional<FinishedRun> EarlierRun(const Job& job) {
-  if (ReadText(job.folder / "scenario.yaml") != ResolvedYaml(job.scenario)) return std::nullopt;
-  try {
-    FinishedRun run{ReadSuiteSummary(job.folder).at(0)};
-    run.summary.directory = job.folder.filename().string();
-    if (run.summary.outcome == Outcome::kPassed) return run;
-    run.exit_code = ExitCode::kExpectationFailed;
-    if (run.summary.outcome == Outcome::kFailed) return run;
-  } catch (const ResultsError&) {  // never finished: play it again
-  }
-  return std::nullopt;
-}
-
-std::vector<RunSummary> Summaries(const std::vector<Job>& jobs) {
+std::vector<RunSummary> Summaries(const std::vector<SuiteJob>& jobs) {
   std::vector<RunSummary> summaries;
-  for (const Job& job : jobs) {
+  for (const SuiteJob& job : jobs) {
     summaries.push_back(job.finished ? job.finished->summary : IdentityOf(job.scenario));
     summaries.back().directory = job.folder.filename().string();
   }
@@ -119,10 +40,10 @@ std::vector<RunSummary> Summaries(const std::vector<Job>& jobs) {
 /// Plays the jobs that are not finished, up to `at_once` beside each other.
 class Pool {
  public:
-  Pool(std::vector<Job>& jobs, int at_once, std::optional<WallClock::time_point> deadline,
+  Pool(std::vector<SuiteJob>& jobs, int at_once, std::optional<WallClock::time_point> deadline,
        const fs::path& out, Progress& progress)
       : jobs_(jobs), at_once_(at_once), deadline_(deadline), out_(out), progress_(progress) {
-    for (const Job& job : jobs_) {
+    for (const SuiteJob& job : jobs_) {
       if (job.finished) times_.Learn(job.finished->summary);
     }
   }
@@ -138,7 +59,7 @@ class Pool {
 
  private:
   struct Running {
-    Job* job;
+    SuiteJob* job;
     std::unique_ptr<RunProcess> process;
   };
 
@@ -146,7 +67,7 @@ class Pool {
 
   void StartDue() {
     while (static_cast<int>(running_.size()) < at_once_ && next_ < jobs_.size() && !Over()) {
-      Job& job = jobs_[next_++];
+      SuiteJob& job = jobs_[next_++];
       if (job.finished) continue;
       running_.push_back({&job, std::make_unique<RunProcess>(job.scenario, job.folder, deadline_)});
     }
@@ -174,14 +95,14 @@ class Pool {
     }
   }
 
-  bool IsUnderWay(const Job& job) const {
+  bool IsUnderWay(const SuiteJob& job) const {
     return std::any_of(running_.begin(), running_.end(),
                        [&job](const Running& r) { return r.job == &job; });
   }
 
   void Show() const {
     Progress::State state;
-    for (const Job& job : jobs_) {
+    for (const SuiteJob& job : jobs_) {
       if (job.kept) {
         state.AddKept();
       } else if (job.finished) {
@@ -198,7 +119,7 @@ class Pool {
     progress_.Show(state);
   }
 
-  std::vector<Job>& jobs_;
+  std::vector<SuiteJob>& jobs_;
   int at_once_;
   std::optional<WallClock::time_point> deadline_;
   fs::path out_;
@@ -215,7 +136,7 @@ std::string LocalTime() {
 }
 
 ExitCode Play(const SuiteOptions& options, std::ostream& out, std::ostream& err) {
-  std::vector<Job> jobs = MakeJobs(options);
+  std::vector<SuiteJob> jobs = MakeJobs(options);
   if (jobs.empty()) {
     err << "horopter: no scenario matches; `horopter list` shows them with their tags\n";
     return ExitCode::kBadInput;
@@ -223,13 +144,8 @@ ExitCode Play(const SuiteOptions& options, std::ostream& out, std::ostream& err)
   const ResultsFolder results =
       options.out.empty() ? ResultsFolder::New("results", LocalTime()) : ResultsFolder(options.out);
   const fs::path& folder = results.path();
-  for (Job& job : jobs) job.folder = folder / job.folder;
-  if (options.resume) {
-    for (Job& job : jobs) {
-      job.finished = EarlierRun(job);
-      job.kept = job.finished.has_value();
-    }
-  }
+  for (SuiteJob& job : jobs) job.folder = folder / job.folder;
+  TakeOver(folder, options.earlier, jobs, err);
   InstallStopHandler();
   std::optional<WallClock::time_point> deadline;
   if (options.wall_limit_s) {
@@ -247,7 +163,7 @@ ExitCode Play(const SuiteOptions& options, std::ostream& out, std::ostream& err)
   for (const std::string& notice : TimingNotices(summaries)) out << "notice: " << notice << '\n';
   out << "report: " << fs::absolute(folder / "report.html").lexically_normal().string() << '\n';
   ExitCode code = ExitCode::kPassed;
-  for (const Job& job : jobs) {
+  for (const SuiteJob& job : jobs) {
     code = std::max(code, job.finished ? job.finished->exit_code : ExitCode::kInfrastructure);
   }
   return code;

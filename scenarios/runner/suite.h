@@ -12,6 +12,13 @@
 
 namespace horopter::scenarios {
 
+/// What to do with the results that a suite's folder already has.
+enum class EarlierResults {
+  kRefuse,   ///< they are somebody's: leave them alone
+  kResume,   ///< keep the runs that ended with this scenario, stack and build
+  kReplace,  ///< remove them
+};
+
 /// What `horopter run` was asked to do.
 struct SuiteOptions {
   std::vector<std::filesystem::path> inputs;  ///< scenario files and folders of them
@@ -21,8 +28,8 @@ struct SuiteOptions {
   std::vector<std::string> tags;              ///< only scenarios with one of them; empty: all
   std::filesystem::path out;                  ///< empty: results/run-<date>-<time>
   int jobs = 1;                               ///< runs beside each other
-  bool resume = false;                        ///< keep runs in `out` that ended with this scenario
-  std::optional<double> wall_limit_s;         ///< for the whole suite
+  EarlierResults earlier = EarlierResults::kRefuse;
+  std::optional<double> wall_limit_s;  ///< for the whole suite
 };
 
 /// Plays scenarios, each run in a process of its own; writes each run's folder, and the suite's

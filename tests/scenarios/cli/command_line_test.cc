@@ -52,7 +52,8 @@ TEST(CommandLine, HelpHasAnExampleEverywhere) {
     EXPECT_THAT(ran.output, HasSubstr(std::string("  horopter ") + command)) << command;
     EXPECT_THAT(ran.output, HasSubstr("Example"));
   }
-  EXPECT_THAT(Horopter("--version").output, testing::StartsWith("horopter "));
+  EXPECT_THAT(Horopter("--version").output,
+              testing::MatchesRegex("horopter [0-9]+\\.[0-9]+\\.[0-9]+ \\([-0-9a-z]+\\)\n"));
   EXPECT_EQ(Horopter("--version").code, 0);
 }
 
@@ -82,6 +83,8 @@ TEST(CommandLine, BadValuesAreUsageErrors) {
   ExpectUsageError(run + "--jobs many", "--jobs");
   ExpectUsageError(run + "--time-limit -1", "--time-limit");
   ExpectUsageError(run + "--resume", "--out");
+  ExpectUsageError(run + "--overwrite", "--out");
+  ExpectUsageError(run + "--out x --resume --overwrite", "--resume");
   ExpectUsageError(run + "--backend simm", "did you mean 'sim'?");
   ExpectUsageError("run no/such/folder", "no such file or folder");
   ExpectUsageError("run --tag koala no/such/folder", "no such file or folder");
@@ -211,10 +214,13 @@ TEST(CommandLine, TimingPrintsATableOverRuns) {
   RunSummary other = run;
   other.seed = 2;
   other.timing_ms["disparity"] = {44, 70, 10};
+  run.machine = {"A Processor", 2, 0.25};
+  other.machine = {"A Processor", 2, 1.5};
   WriteSuite(folder.path() / "suite", {run, other});
   const Ran ran = Horopter("timing '" + (folder.path() / "suite").string() + "'", "");
   EXPECT_EQ(ran.code, 0);
   EXPECT_EQ(ran.output,
+            "A Processor, 2 cores; load when the runs began 0.25 to 1.50\n\n"
             "| stage | median ms | worst run's 95 % ms | passes |\n"
             "|---|---:|---:|---:|\n"
             "| disparity | 42.000 | 70.000 | 40 |\n"

@@ -248,6 +248,16 @@ TEST(Compare, TimingsRegressOnlyBeyondAGenerousRatio) {
   EXPECT_FALSE(Compare(timed(0.01), timed(0.1)).TimingsRegressed());  // below what is noticeable
 }
 
+TEST(CompareTable, NamesTheBuildsOfBothSides) {
+  RunSummary before = Played(1), after = Played(1), other = Played(2);
+  before.versions = {{"horopter", "0.1.0 (abc1234)"}, {"program", "111"}};
+  after.versions = {{"horopter", "0.1.0 (def5678-dirty)"}, {"program", "222"}};
+  const std::string table = CompareTable(Compare({before}, {after, other}), false);
+  EXPECT_THAT(table, HasSubstr("old: horopter 0.1.0 (abc1234), program 111\n"));
+  EXPECT_THAT(table,
+              HasSubstr("new: horopter 0.1.0 (def5678-dirty), program 222 and an unknown build\n"));
+}
+
 TEST(CompareTable, ShowsRegressionsFirstAndCountsTheRest) {
   auto before = Played(1, {{"clearance", 0.2}, {"path_length", 3.0}, {"contacts", 0}});
   auto after = Played(1, {{"clearance", 0.1}, {"path_length", 2.0}, {"contacts", 0}});

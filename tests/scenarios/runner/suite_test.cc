@@ -8,6 +8,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -15,8 +16,11 @@
 
 #include "scenarios/format/scenario_format.h"
 #include "scenarios/format/scenes.h"
+#include "scenarios/results/files.h"
 #include "scenarios/results/suite.h"
+#include "scenarios/results/summary_json.h"
 #include "scenarios/runner/run_process.h"
+#include "scenarios/runner/versions.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -163,7 +167,7 @@ TEST_F(SuiteTest, ResumeKeepsRunsThatEndedAndPlaysTheOthers) {
   ASSERT_EQ(Run(options), ExitCode::kPassed);
   const auto kept = ReadSuiteSummary(root_ / "out").at(0);
   options.seeds = {1, 2};
-  options.resume = true;
+  options.earlier = EarlierResults::kResume;
   ASSERT_EQ(Run(options), ExitCode::kPassed);
   const auto runs = ReadSuiteSummary(root_ / "out");
   ASSERT_EQ(runs.size(), 2u);
@@ -176,9 +180,101 @@ TEST_F(SuiteTest, ResumePlaysAgainWhatHasChanged) {
   SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
   ASSERT_EQ(Run(options), ExitCode::kPassed);
   Write("a.yaml", Turning("contacts 0", 0.4));
-  options.resume = true;
+  options.earlier = EarlierResults::kResume;
   ASSERT_EQ(Run(options), ExitCode::kPassed);
   EXPECT_THAT(err_.str(), HasSubstr("seed 1: passed"));
+}
+
+/// Makes the results in `out` those of another build.
+void PretendAnotherBuild(const fs::path& run_folder) {
+  RunSummary run = ReadSuiteSummary(run_folder).at(0);
+  run.versions["horopter"] = "0.0.9 (abc1234)";
+  run.versions["program"] = "0123456789ab";
+  std::ofstream(run_folder / "summary.json") << RunSummaryText(run);
+}
+
+TEST_F(SuiteTest, ResumePlaysAgainWhatAnotherBuildMadeAndSaysSo) {
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
+  options.seeds = {1, 2};
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  PretendAnotherBuild(root_ / "out" / ReadSuiteSummary(root_ / "out").at(0).directory);
+  options.earlier = EarlierResults::kResume;
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  EXPECT_THAT(err_.str(), HasSubstr("1 ended run is played again"));
+  EXPECT_THAT(err_.str(), HasSubstr("0.0.9 (abc1234), program 0123456789ab, this is " + Version()));
+  EXPECT_THAT(err_.str(), HasSubstr("seed 1: passed"));
+  EXPECT_THAT(err_.str(), testing::Not(HasSubstr("seed 2:")));
+  EXPECT_EQ(ReadSuiteSummary(root_ / "out").at(0).versions, LibraryVersions());
+}
+
+TEST_F(SuiteTest, EarlierResultsAreLeftAloneUnlessTheyAreToBeResumedOrReplaced) {
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
+  options.seeds = {1};
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  const auto earlier = ReadSuiteSummary(root_ / "out");
+  options.seeds = {3};
+  EXPECT_EQ(Run(options), ExitCode::kBadInput);
+  const std::string refusal = err_.str();
+  EXPECT_THAT(refusal, HasSubstr((root_ / "out").string()));
+  EXPECT_THAT(refusal, testing::AllOf(HasSubstr("--resume"), HasSubstr("--overwrite")));
+  EXPECT_EQ(std::count(refusal.begin(), refusal.end(), '\n'), 1) << refusal;
+
+  options.earlier = EarlierResults::kResume;  // would leave seed 1 behind, in no summary
+  EXPECT_EQ(Run(options), ExitCode::kBadInput);
+  EXPECT_THAT(err_.str(), testing::AllOf(HasSubstr("seed 1"), HasSubstr("--overwrite")));
+  ASSERT_EQ(ReadSuiteSummary(root_ / "out").size(), 1u);
+  EXPECT_EQ(ReadSuiteSummary(root_ / "out")[0].wall_s, earlier[0].wall_s);
+  EXPECT_TRUE(fs::exists(root_ / "out" / earlier[0].directory / "report.html"));
+}
+
+TEST_F(SuiteTest, OverwritingRemovesTheEarlierRunsAndNothingElse) {
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
+  options.seeds = {1};
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  const fs::path earlier = root_ / "out" / ReadSuiteSummary(root_ / "out").at(0).directory;
+  Write("out/notes.txt", "mine");
+  options.seeds = {3};
+  options.earlier = EarlierResults::kReplace;
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  EXPECT_FALSE(fs::exists(earlier));
+  EXPECT_TRUE(fs::exists(root_ / "out" / "notes.txt"));
+  const auto runs = ReadSuiteSummary(root_ / "out");
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_EQ(runs[0].seed, 3u);
+  EXPECT_TRUE(fs::exists(root_ / "out" / runs[0].directory / "report.html"));
+}
+
+TEST_F(SuiteTest, OverwritingLeavesFoldersAloneThatNoSuiteMade) {
+  fs::create_directories(root_ / "out" / "thesis");
+  Write("scenario.yaml", "a file beside the results folder");
+  RunSummary run;
+  run.scenario = "a";
+  run.backend = "sim";
+  std::vector<RunSummary> runs(3, run);
+  runs[0].directory = "..";
+  runs[1].directory = "thesis";
+  runs[2].directory = (root_ / "out" / "thesis").string();
+  WriteSuite(root_ / "out", runs);
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
+  options.earlier = EarlierResults::kReplace;
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  EXPECT_TRUE(fs::exists(root_ / "out" / "thesis"));
+  EXPECT_TRUE(fs::exists(root_ / "scenario.yaml"));
+}
+
+TEST_F(SuiteTest, ResumePlaysAgainWhatAnotherStackMade) {
+  SuiteOptions options = Options(Write("a.yaml", Turning("contacts 0")));
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  const fs::path record =
+      root_ / "out" / ReadSuiteSummary(root_ / "out").at(0).directory / "stack.json";
+  std::string text = ReadFile(record);
+  const std::string radius = "\"radius_m\": ";
+  text.replace(text.find(radius) + radius.size(), 1, "9");
+  std::ofstream(record) << text;
+  options.earlier = EarlierResults::kResume;
+  ASSERT_EQ(Run(options), ExitCode::kPassed);
+  EXPECT_THAT(err_.str(), HasSubstr("seed 1: passed"));
+  EXPECT_NE(ReadFile(record), text);
 }
 
 TEST_F(SuiteTest, WallLimitLeavesTheRunIncomplete) {
