@@ -80,10 +80,4 @@ SplitPoints Split(const vision::PointField& points_B, const ObstacleConfig& conf
   return split;
 }
 
-cv::Mat1f ObstacleDepth(const SplitPoints& points_B) {
-  cv::Mat1f depth;
-  cv::extractChannel(points_B.obstacles, depth, 0);
-  return depth;
-}
-
 }  // namespace horopter::control

@@ -37,8 +37,4 @@ struct SplitPoints {
 /// @throws hardware::ConfigError
 SplitPoints Split(const vision::PointField& points_B, const ObstacleConfig& config);
 
-/// Forward distance x_B of the obstacles among them [m]; NaN elsewhere. This is the depth that
-/// vision::ExtractRegions measures for navigation.
-cv::Mat1f ObstacleDepth(const SplitPoints& points_B);
-
 }  // namespace horopter::control

@@ -57,7 +57,7 @@ Caption CaptionOf(PictureKind kind, const ColourScales& scales) {
     case PictureKind::kRight:
       return {"Right eye", ""};
     case PictureKind::kRegions:
-      return {"Regions, tinted and labelled with their mean depth", DepthLegend(scales)};
+      return {"Regions and their mean depth", DepthLegend(scales)};
     case PictureKind::kDisparity:
       return {"Horizontal disparity (white: the horopter)",
               SignedLegend(ColourMap::kDisparity, scales.disparity_px, "px", "nearer", "farther")};
@@ -110,8 +110,7 @@ std::string DepthVerdict(const FrameRecord& record) {
   };
   add(fmt::format("{:.0f} %", 100 * depth.density), "of the pixels have a depth");
   if (depth.abs_rel_median) {
-    add(ShortNumber(100 * *depth.abs_rel_median) + " %",
-        "off the truth, or less, are half of them");
+    add(ShortNumber(100 * *depth.abs_rel_median) + " %", "median error of their depth");
   }
   if (depth.bias_m) {
     add(fmt::format("{:.3f} m", std::abs(*depth.bias_m)),

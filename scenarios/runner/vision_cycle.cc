@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "control/kinematics/head_kinematics.h"
+#include "scenarios/runner/stack_config.h"
 #include "vision/disparity/disparity_factory.h"
 #include "vision/regions/extract_regions.h"
 #include "vision/segmentation/colour_edges.h"
@@ -16,15 +17,6 @@ std::unique_ptr<vision::DisparityEstimator> MakeEstimator(const VisionSpec& spec
   vision::V1Config config = vision::V1Config::Preset(spec.preset);
   config.scales = spec.scales;
   return vision::CreateDisparityEstimator(config);
-}
-
-/// Room above the robot below which something is in its way.
-constexpr double kHeadroom_m = 0.05;
-
-control::ObstacleConfig ObstacleConfigOf(const RobotDescription& robot) {
-  control::ObstacleConfig config;
-  config.robot_height_m = robot.height_m + kHeadroom_m;
-  return config;
 }
 
 }  // namespace
@@ -57,15 +49,13 @@ VisionResult VisionCycle::Run(const hardware::StereoFrame& frame,
   result.depth_m = vision::DepthAlongOptical(
       points_B, control::EyePose(geometry_, angles, hardware::Eye::kLeft));
 
-  // What: surfaces bounded by colour edges, each with the depth of what could be hit on it.
+  // What: surfaces bounded by colour edges, each with its depth.
   const cv::Mat1b interior = times.Measure("segmentation", [&] {
     return vision::FindColourEdges(
         frame.left.bgr, {.median_px = spec_.median_px, .threshold = spec_.edge_threshold});
   });
-  result.regions = times.Measure("regions", [&] {
-    return vision::ExtractRegions(interior, frame.left.bgr,
-                                  control::ObstacleDepth(result.points_B));
-  });
+  result.regions = times.Measure(
+      "regions", [&] { return vision::ExtractRegions(interior, frame.left.bgr, result.depth_m); });
   return result;
 }
 

@@ -24,9 +24,9 @@ namespace horopter::scenarios {
 struct VisionResult {
   hardware::Time t_capture{};
   vision::DisparityField disparity;
-  cv::Mat1f depth_m;  ///< along the left optical axis, for people and scoring; NaN = none
+  cv::Mat1f depth_m;  ///< along the left optical axis; NaN = none
   control::SplitPoints points_B;  ///< in the base frame at t_capture: what could be hit, and floor
-  vision::RegionMap regions;      ///< their depth: forward distance of what could be hit
+  vision::RegionMap regions;      ///< their depth is that of depth_m
 };
 
 /// The vision half of the Koala paper's Figure 1: disparity and reconstruction on one side,

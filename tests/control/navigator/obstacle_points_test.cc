@@ -56,16 +56,6 @@ TEST(ObstaclePoints, APointNeedsNeighboursAboutAsFar) {
   EXPECT_TRUE(Stands(field));
 }
 
-TEST(ObstaclePoints, DepthIsTheForwardDistance) {
-  vision::PointField field = Full({2, 1, 0.2f});
-  field.points(0, 0) = {kNan, kNan, kNan};
-  field.points(8, 8) = {2, 1, 0};
-  const cv::Mat1f depth = ObstacleDepth(Split(field, {}));
-  EXPECT_FLOAT_EQ(depth(4, 4), 2);
-  EXPECT_TRUE(std::isnan(depth(0, 0)));
-  EXPECT_TRUE(std::isnan(depth(8, 8)));
-}
-
 TEST(ObstaclePoints, ValidateNamesEveryBadField) {
   EXPECT_TRUE(ObstacleConfig{}.Validate().empty());
   ObstacleConfig bad;
