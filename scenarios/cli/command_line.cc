@@ -5,11 +5,13 @@
 
 #include <exception>
 #include <iostream>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "scenarios/cli/commands.h"
+#include "scenarios/dataset/format_error.h"
 #include "scenarios/format/diagnostics.h"
 #include "scenarios/format/suggest.h"
 #include "scenarios/runner/exit_code.h"
@@ -70,12 +72,29 @@ int ExplainUsage(const CLI::App& app, const CLI::ParseError& error) {
   return kUsage;
 }
 
+/// The call as a shell would take it again.
+std::string CommandLine(int argc, const char* const* argv) {
+  static const std::regex plain("[A-Za-z0-9_./:=,+-]+");
+  std::string line = "horopter";
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    if (!std::regex_match(word, plain)) {
+      word = "'" + std::regex_replace(word, std::regex("'"), R"('\'')") + "'";
+    }
+    line += " " + word;
+  }
+  return line;
+}
+
 int Execute(const std::vector<Command>& commands) {
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
     try {
       return command.run();
     } catch (const std::invalid_argument& error) {
+      std::cerr << "horopter " << command.app->get_name() << ": " << error.what() << "\n";
+      return kUsage;
+    } catch (const FormatError& error) {
       std::cerr << "horopter " << command.app->get_name() << ": " << error.what() << "\n";
       return kUsage;
     } catch (const ScenarioError& error) {  // one line each, with its own place
@@ -99,9 +118,14 @@ int RunCommandLine(int argc, const char* const* argv) {
   app.set_version_flag("--version", "horopter " + Version());
   app.footer(kFooter);
   app.require_subcommand(0, 1);
-  const std::vector<Command> commands = {
-      AddRunCommand(app),    AddListCommand(app),   AddValidateCommand(app), AddCompareCommand(app),
-      AddRenderCommand(app), AddDoctorCommand(app), AddSchemaCommand(app),   AddTimingCommand(app)};
+  const std::vector<Command> commands = {AddRunCommand(app),
+                                         AddListCommand(app),
+                                         AddValidateCommand(app),
+                                         AddCompareCommand(app),
+                                         AddRenderCommand(app, CommandLine(argc, argv)),
+                                         AddDoctorCommand(app),
+                                         AddSchemaCommand(app),
+                                         AddTimingCommand(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 namespace CLI {
 class App;
@@ -21,7 +22,8 @@ Command AddListCommand(CLI::App& parent);
 Command AddValidateCommand(CLI::App& parent);
 Command AddCompareCommand(CLI::App& parent);
 Command AddDoctorCommand(CLI::App& parent);
-Command AddRenderCommand(CLI::App& parent);
+/// @param command_line that the program was called with, for the data set's manifest
+Command AddRenderCommand(CLI::App& parent, const std::string& command_line);
 Command AddSchemaCommand(CLI::App& parent);
 Command AddTimingCommand(CLI::App& parent);
 

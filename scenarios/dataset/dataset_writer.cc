@@ -18,6 +18,8 @@ namespace horopter::scenarios {
 namespace fs = std::filesystem;
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr double kDegrees = 180 / M_PI;
 
 std::string Sha256(std::string_view bytes) {
@@ -45,6 +47,33 @@ std::string LegendCsv(const sim::SceneLegend& legend) {
     text += fmt::format("object,{0},{1},{0}\n", object + 1, CsvField(legend.ObjectName(object)));
   }
   return text;
+}
+
+/// How the files are to be read; seed null says that the scene is as it is written down.
+Json Conventions() {
+  return {
+      {"pixel_origin", "centre of the top left pixel"},
+      {"optical_frame", "x right, y down, z forward"},
+      {"depth", "metres along z of the optical frame; inf = nothing there"},
+      {"normals",
+       "outward, unit length, in the optical frame of the camera that the file is named after; "
+       "inf = nothing there"},
+      {"disparity",
+       "left_disparity lies on the left image's pixels: what it shows at (x, y) the other eye sees "
+       "at (x + dx, y + dy)"},
+      {"A_to_B_disparity", "the same between two cameras, on the pixels of A's image"},
+      {"flow",
+       "flow_previous_to_this lies on the pixels of the previous frame: what that showed at (x, y) "
+       "this frame shows at (x + dx, y + dy)"},
+      {"visibility",
+       {{"of", "the pixel that the file lies on, in the image that it leads to"},
+        {"seen", 255},
+        {"occluded", 128},
+        {"out_of_view", 64},
+        {"nothing", 0}}},
+      {"ids", "id plus one, named in legend.csv; 0 = nothing there"},
+      {"poses", "of bodies in the world frame W; in the request in the robot's starting frame O"},
+      {"seed", "null = the scene as it is written down"}};
 }
 
 std::string IndexHeader() {
@@ -128,24 +157,22 @@ void DatasetWriter::Finish() { WriteManifest(true); }
 void DatasetWriter::WriteManifest(bool complete) const {
   std::string all;
   for (const auto& [file, hash] : image_hashes_) all += hash;
-  nlohmann::ordered_json manifest = {
-      {"format", "horopter data set"},
-      {"format_version", 1},
-      {"complete", complete},
-      {"scene", info_.scene},
-      {"seed", info_.seed},
-      {"gl_renderer", info_.gl_renderer},
-      {"versions", info_.versions},
-      {"frames", frame_count_},
-      {"conventions",
-       {{"pixel_origin", "centre of the top left pixel"},
-        {"optical_frame", "x right, y down, z forward"},
-        {"depth", "metres along z of the optical frame; inf = nothing there"},
-        {"disparity", "x_other - x, y_other - y in pixels"},
-        {"visibility", {{"seen", 255}, {"occluded", 128}, {"out_of_view", 64}, {"nothing", 0}}},
-        {"ids", "id plus one, named in legend.csv; 0 = nothing there"}}},
-      {"images_sha256", Sha256(all)},
-      {"images", image_hashes_}};
+  Json manifest = {{"format", "horopter data set"},
+                   {"format_version", 2},
+                   {"complete", complete},
+                   {"scene", info_.scene},
+                   {"robot", info_.robot},
+                   {"seed", info_.seed ? Json(*info_.seed) : Json(nullptr)},
+                   {"command", info_.command},
+                   {"request", info_.request.empty() ? Json(nullptr) : Json::parse(info_.request)},
+                   {"left_out_of_profile", info_.left_out_of_profile},
+                   {"gl_backend", info_.gl_backend},
+                   {"gl_renderer", info_.gl_renderer},
+                   {"versions", info_.versions},
+                   {"frames", frame_count_},
+                   {"conventions", Conventions()},
+                   {"images_sha256", Sha256(all)},
+                   {"images", image_hashes_}};
   if (options_.png16) {
     manifest["png16"] = {{"depth_units_per_m", options_.depth_units_per_m},
                          {"left_out", left_out_}};

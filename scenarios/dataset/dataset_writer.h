@@ -38,19 +38,33 @@ struct DatasetPair {
   DatasetEye right;
 };
 
+/// Disparity between two cameras of a frame that need not be a pair.
+struct DatasetDisparity {
+  std::string from;  ///< as the camera's image is named, without .png; the maps have its size
+  std::string to;
+  sim::CorrespondenceField field;
+};
+
 struct DatasetFrame {
   hardware::Time t{};
   hardware::HeadAngles head;
   std::vector<DatasetPair> pairs;
+  std::vector<DatasetDisparity> between;
   std::optional<sim::WorldState> state;
 };
 
 /// What is said of the data set as a whole.
 struct DatasetInfo {
-  std::string scene;
-  std::uint64_t seed = 0;
+  std::string scene;                  ///< below the scenes folder
+  std::optional<std::uint64_t> seed;  ///< none: nothing was varied
   std::string gl_renderer;
   std::map<std::string, std::string> versions;  ///< of what made it, by name
+  std::string robot;
+  std::string gl_backend;
+  std::string command;  ///< the command line that made it
+  std::string request;  ///< JSON of what was asked for, defaults filled in; empty: not said
+  /// Parts of the camera's profile that the images do not show, each with the reason.
+  std::map<std::string, std::string> left_out_of_profile;
 };
 
 struct DatasetOptions {
@@ -62,8 +76,8 @@ struct DatasetOptions {
 
 /// Writes a folder of rendered views with their truth:
 ///
-///   manifest.json   scene, seed, versions, GL renderer, conventions, hashes; `complete` is false
-///                   until Finish() replaces it, which is the last thing it does
+///   manifest.json   scene, seed, request, versions, GL renderer, conventions, hashes; `complete`
+///                   is false until Finish() replaces it, which is the last thing it does
 ///   index.csv       a row per frame: folder, time, head angles; appended when the frame is there
 ///   legend.csv      names of parts and objects by the values in the id pictures
 ///   000000/ ...     one folder per frame, which appears whole or not at all:
@@ -76,7 +90,10 @@ struct DatasetOptions {
 ///     left_visibility.png                 255 seen in both, 128 occluded in the other eye, 64 out
 ///                                         of its view, 0 nothing (Middlebury's values and one
 ///                                         more)
-///     left_flow.flo left_flow_visibility.png   from the previous frame to this one
+///     left_flow_previous_to_this.flo left_flow_previous_to_this_visibility.png
+///                                         on the pixels of the previous frame's left image: what
+///                                         it showed at (x, y) is in this one at (x+dx, y+dy)
+///     A_to_B_disparity.flo A_to_B_visibility.png   between any two cameras, on the pixels of A
 ///     poses.csv joints.csv contacts.csv   state of the world (state_tables.h)
 ///     SHA256SUMS                          of all these, as `sha256sum -c` reads them
 ///

@@ -69,9 +69,9 @@ class EyeFiles {
   void Flow(const DatasetOptions& options) {
     const CorrespondenceField& field = *eye_.flow_from_previous;
     RequireSize("flow", field.dx.size());
-    Add("_flow.flo", EncodeFlo({field.dx, field.dy}));
-    Add("_flow_visibility.png", EncodePng(VisibilityPicture(field)));
-    if (options.png16) Add("_flow.png", PackKittiFlow({field.dx, field.dy}));
+    Add("_flow_previous_to_this.flo", EncodeFlo({field.dx, field.dy}));
+    Add("_flow_previous_to_this_visibility.png", EncodePng(VisibilityPicture(field)));
+    if (options.png16) Add("_flow_previous_to_this.png", PackKittiFlow({field.dx, field.dy}));
   }
 
  private:
@@ -96,6 +96,18 @@ class EyeFiles {
   FrameFiles* files_;
 };
 
+/// @pre the images are in `files`
+void AddBetween(const DatasetDisparity& disparity, FrameFiles* files) {
+  for (const std::string& camera : {disparity.from, disparity.to}) {
+    if (files->bytes.count(camera + ".png") > 0) continue;
+    throw std::invalid_argument(fmt::format("disparity of a camera '{}' without image", camera));
+  }
+  const std::string stem = disparity.from + "_to_" + disparity.to;
+  const CorrespondenceField& field = disparity.field;
+  files->bytes[stem + "_disparity.flo"] = EncodeFlo({field.dx, field.dy});
+  files->bytes[stem + "_visibility.png"] = EncodePng(VisibilityPicture(field));
+}
+
 }  // namespace
 
 FrameFiles EncodeFrame(const DatasetFrame& frame, const sim::SceneLegend* legend,
@@ -117,6 +129,7 @@ FrameFiles EncodeFrame(const DatasetFrame& frame, const sim::SceneLegend* legend
       if (eye.flow_from_previous) eye_files.Flow(options);
     }
   }
+  for (const DatasetDisparity& disparity : frame.between) AddBetween(disparity, &files);
   if (frame.state) {
     files.bytes["poses.csv"] = EncodePoses(frame.state->bodies);
     files.bytes["joints.csv"] = EncodeJoints(frame.state->joints);

@@ -93,6 +93,7 @@ class FieldVisitor {
 
   /// A default outside the range says that leaving the key out means something else than a number.
   virtual void Number(const FieldSpec& spec, const Range& range, double& value) = 0;
+  /// Likewise.
   virtual void Whole(const FieldSpec& spec, const Range& range, std::int64_t& value) = 0;
   virtual void Flag(const FieldSpec& spec, bool& value) = 0;
   virtual void Text(const FieldSpec& spec, const TextRule& rule, std::string& value) = 0;

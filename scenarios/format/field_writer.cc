@@ -22,8 +22,8 @@ class YamlWriter : public FieldVisitor {
   void Number(const FieldSpec& spec, const Range& range, double& value) override {
     if (range.Contains(value)) Line(spec.key, fmt::format("{}", value));
   }
-  void Whole(const FieldSpec& spec, const Range&, std::int64_t& value) override {
-    Line(spec.key, fmt::format("{}", value));
+  void Whole(const FieldSpec& spec, const Range& range, std::int64_t& value) override {
+    if (range.Contains(static_cast<double>(value))) Line(spec.key, fmt::format("{}", value));
   }
   void Flag(const FieldSpec& spec, bool& value) override {
     Line(spec.key, value ? "true" : "false");

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "scenarios/format/body_placement.h"
 #include "scenarios/format/fault_spec.h"
 #include "scenarios/format/source_mark.h"
 #include "sim/camera/camera_profile.h"
@@ -24,15 +25,6 @@ struct VariationSpec {
   bool textures = true;
 
   bool operator==(const VariationSpec&) const = default;
-};
-
-/// Pose given to a movable body of the scene, in the robot's starting frame: where the robot is
-/// told that it is, whatever the seed did to its heading.
-struct BodyPlacement {
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-  double yaw_deg = 0;
-
-  bool operator==(const BodyPlacement&) const = default;
 };
 
 /// Stands for a number that the file leaves to robot.yaml (FillFromRobot); outside every range.

@@ -10,4 +10,7 @@ namespace horopter::scenarios {
 /// scenario all read it; defaults are those of a default-constructed Scenario.
 void Visit(FieldVisitor& v, Scenario& scenario);
 
+/// The table of its `room:`.
+void Visit(FieldVisitor& v, RoomSpec& room);
+
 }  // namespace horopter::scenarios

@@ -7,10 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "control/kinematics/gaze_angles.h"
 #include "hardware/types/config_error.h"
-#include "scenarios/dataset/csv.h"
-#include "scenarios/dataset/format_error.h"
 #include "sim/random/random_stream.h"
 
 namespace horopter::scenarios {
@@ -19,6 +16,7 @@ namespace {
 using hardware::HeadAxis;
 
 constexpr double kRadians = M_PI / 180;
+constexpr int kMostDraws = 1000;
 
 const hardware::AxisLimits& Of(const hardware::HeadLimits& limits, HeadAxis axis) {
   return limits[static_cast<std::size_t>(axis)];
@@ -31,6 +29,13 @@ Interval Degrees(const hardware::AxisLimits& axis) {
 Interval Common(const Interval& a, const Interval& b) {
   const double low = std::max(a.low, b.low);
   return {low, std::max(low, std::min(a.high, b.high))};
+}
+
+[[noreturn]] void RefuseTilts(const GazeBounds& bounds) {
+  throw hardware::ConfigError(
+      {{"--tilt", fmt::format("{:g}:{:g}", bounds.tilt_deg.low, bounds.tilt_deg.high),
+        fmt::format("is out of the head's reach at pans of {:g}:{:g} deg", bounds.pan_deg.low,
+                    bounds.pan_deg.high)}});
 }
 
 }  // namespace
@@ -62,39 +67,34 @@ Interval ParseInterval(const std::string& option, const std::string& text) {
   throw hardware::ConfigError({{option, text, "must be a number, or two as LOW:HIGH"}});
 }
 
-std::vector<Gaze> DecodeGazes(std::string_view text, const std::string& name) {
-  const CsvTable table(text, "pan_deg,tilt_deg,vergence_deg", name);
-  if (table.rows() == 0) throw FormatError(name + ": no gaze in it; add a row below the header");
-  std::vector<Gaze> gazes;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    gazes.push_back({table.Number(row, 0), table.Number(row, 1), table.Number(row, 2)});
-  }
-  return gazes;
-}
-
-std::vector<Gaze> SampleGazes(const GazeBounds& bounds, int count, std::uint64_t seed) {
+std::vector<Gaze> SampleGazes(const GazeBounds& bounds, int count, std::uint64_t seed,
+                              const HeadReach& reach) {
   sim::RandomStream pan(seed, "render.pan");
   sim::RandomStream tilt(seed, "render.tilt");
   sim::RandomStream vergence(seed, "render.vergence");
   const auto draw = [](sim::RandomStream& random, const Interval& interval) {
     return random.Uniform(interval.low, interval.high);
   };
+  const bool by_neck = Of(reach.limits(), HeadAxis::kNeckTilt).exists();
+  const GazeBounds within = bounds.Within(reach.limits());
+  const auto tilts_at = [&](double pan_deg) {
+    if (!by_neck) return within.tilt_deg;
+    const Interval range = reach.NeckTiltAt(pan_deg);
+    return Interval{std::max(within.tilt_deg.low, range.low),
+                    std::min(within.tilt_deg.high, range.high)};
+  };
   std::vector<Gaze> gazes;
   for (int i = 0; i < count; ++i) {
-    gazes.push_back({draw(pan, bounds.pan_deg), draw(tilt, bounds.tilt_deg),
-                     draw(vergence, bounds.vergence_deg)});
+    double pan_deg = draw(pan, within.pan_deg);
+    Interval tilts = tilts_at(pan_deg);
+    for (int redrawn = 0; tilts.low > tilts.high; ++redrawn) {
+      if (redrawn == kMostDraws) RefuseTilts(within);
+      pan_deg = draw(pan, within.pan_deg);
+      tilts = tilts_at(pan_deg);
+    }
+    gazes.push_back({pan_deg, draw(tilt, tilts), draw(vergence, within.vergence_deg)});
   }
   return gazes;
-}
-
-hardware::HeadAngles AnglesOf(const Gaze& gaze, const hardware::HeadLimits& limits) {
-  const control::Fixation turned = control::Turn(
-      {{gaze.pan_deg * kRadians, gaze.tilt_deg * kRadians}, gaze.vergence_deg * kRadians}, limits);
-  if (turned.reachable()) return turned.angles;
-  throw hardware::ConfigError({{"gaze",
-                                fmt::format("pan {:g}, tilt {:g}, vergence {:g} deg", gaze.pan_deg,
-                                            gaze.tilt_deg, gaze.vergence_deg),
-                                "is beyond this head: " + turned.why}});
 }
 
 }  // namespace horopter::scenarios

@@ -4,34 +4,18 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <opencv2/core/types.hpp>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "scenarios/dataset/dataset_writer.h"
-#include "scenarios/format/robot_description.h"
-#include "scenarios/render/gaze_list.h"
-#include "scenarios/render/scene_setup.h"
-#include "sim/camera/camera_profile.h"
+#include "scenarios/render/render_request.h"
 
 namespace horopter::scenarios {
 
-/// A data set to render: one scene, and a head that looks somewhere in every frame.
-struct RenderRequest {
-  SceneSetup setup;
-  RobotDescription robot;
-  std::vector<std::string> pairs;  ///< of the robot's cameras; empty: all
-  std::optional<cv::Size> size;    ///< in place of the cameras' native one
-  sim::CameraProfile profile;
-  bool supersample = false;
-  std::string gl_backend = "osmesa";
-  std::vector<Gaze> gazes;  ///< a frame each
-  bool truth = false;       ///< depth, ids, normals, disparity, flow from frame to frame, states
-  std::vector<std::string> views;  ///< cameras of the scene that show it as a whole, once
-  DatasetOptions files;
-  std::map<std::string, std::string> versions;  ///< for the manifest
-  std::filesystem::path out;
+/// Where a data set goes, and what its manifest says of its making.
+struct RenderOutput {
+  std::filesystem::path folder;  ///< to make; must not hold anything
+  std::string command;           ///< the command line
+  std::map<std::string, std::string> versions;
 };
 
 struct RenderHooks {
@@ -43,9 +27,13 @@ struct RenderHooks {
   std::function<void(const DatasetFrame&)> frame = [](const DatasetFrame&) {};
 };
 
-/// Renders and writes the frames; both eyes, and all pairs, show one instant.
+/// Renders and writes the frames; both eyes, and all pairs, show one instant. Besides what
+/// DatasetWriter writes there is a PNG for each of the request's views, and of a generated room
+/// room.json (what stands where) and room.xml (the scene). What is wrong with the request is said
+/// before anything is written.
 /// @return whether it ran to its end
 /// @throws SceneError, sim::RenderError, hardware::ConfigError, ResultsError
-bool RenderDataset(const RenderRequest& request, const RenderHooks& hooks = {});
+bool RenderDataset(const RenderRequest& request, const RenderOutput& output,
+                   const RenderHooks& hooks = {});
 
 }  // namespace horopter::scenarios

@@ -38,9 +38,7 @@ sim::KoalaSimulationConfig ConfigOf(const Scenario& scenario, const RobotDescrip
     config.variation.obstacle_shift_m = 0;  // the seed has placed them
   }
   for (const auto& [body, placement] : scenario.bodies) {
-    hardware::Pose X_OBody = hardware::ToPose({0, 0, placement.yaw_deg * kRadians});
-    X_OBody.translation() = placement.position_m;
-    config.X_OBody[body] = X_OBody;
+    config.X_OBody[body] = placement.X_OBody();
   }
   const CameraSpec& camera = scenario.camera;
   config.camera =

@@ -24,10 +24,9 @@ Json Record(const sim::Obstacle& o) {
 
 }  // namespace
 
-sim::Room MakeRoom(const Scenario& scenario, const sim::VariationConfig& variation) {
-  const RoomSpec& spec = scenario.room.value();
+sim::RoomConfig RoomConfigOf(const RoomSpec& spec, const std::string& scene) {
   sim::RoomConfig config;
-  config.scene = ScenesDir() / scenario.scene;
+  config.scene = ScenesDir() / scene;
   config.min_obstacles = spec.min_obstacles;
   config.max_obstacles = spec.max_obstacles;
   config.free_path = spec.path == "free";
@@ -35,6 +34,11 @@ sim::Room MakeRoom(const Scenario& scenario, const sim::VariationConfig& variati
   config.lighting = spec.lighting;
   config.vary_surfaces = spec.surfaces;
   config.vary_furniture = spec.furniture;
+  return config;
+}
+
+sim::Room MakeRoom(const Scenario& scenario, const sim::VariationConfig& variation) {
+  sim::RoomConfig config = RoomConfigOf(scenario.room.value(), scenario.scene);
   config.start_turn_rad = sim::DrawHeading(variation, scenario.seed);
   for (const Step& step : scenario.steps) {
     if (const auto* go = std::get_if<GotoStep>(&step.action)) config.goals_m.push_back(go->goal_m);

@@ -21,7 +21,6 @@ namespace {
 using hardware::Pose;
 
 constexpr std::string_view kClutterPrefix = "clutter_";
-constexpr std::string_view kBackgroundPrefix = "background_";
 constexpr double kUnderTheFloor_m = -8;
 
 /// Names of the mocap bodies that a predicate likes, in the model's order.

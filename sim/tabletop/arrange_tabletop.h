@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hardware/types/pose.h"
@@ -13,6 +14,9 @@
 #include "sim/world/world.h"
 
 namespace horopter::sim {
+
+/// Names of the bodies behind the table begin with it.
+inline constexpr std::string_view kBackgroundPrefix = "background_";
 
 /// How a tabletop came out, for the run's record.
 struct Tabletop {

@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "scenarios/results/suite.h"
+#include "tests/scenarios/cli/horopter_program.h"
 #include "tests/scenarios/format/corpus.h"
 
 namespace horopter::scenarios {
 namespace {
 
 using testing::HasSubstr;
-
-struct Ran {
-  int code = -1;
-  std::string output;  ///< both streams
-};
-
-/// Runs the built program as a shell would. @param arguments shell words
-Ran Horopter(const std::string& arguments, const std::string& streams = "2>&1") {
-  const std::string command = std::string("'") + HOROPTER_PROGRAM "' " + arguments + " " + streams;
-  Ran ran;
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return ran;
-  char buffer[4096];
-  for (std::size_t n; (n = fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-    ran.output.append(buffer, n);
-  const int status = pclose(pipe);
-  if (WIFEXITED(status)) ran.code = WEXITSTATUS(status);
-  return ran;
-}
 
 void ExpectUsageError(const std::string& arguments, const std::string& remedy) {
   const Ran ran = Horopter(arguments);
@@ -46,7 +26,7 @@ constexpr const char* kShipped = HOROPTER_SOURCE_DIR "/scenarios/koala/first_way
 
 TEST(CommandLine, HelpHasAnExampleEverywhere) {
   for (const char* command :
-       {"", "run", "list", "validate", "compare", "doctor", "schema", "timing"}) {
+       {"", "run", "list", "validate", "compare", "render", "doctor", "schema", "timing"}) {
     const Ran ran = Horopter(std::string(command) + " --help");
     EXPECT_EQ(ran.code, 0) << command;
     EXPECT_THAT(ran.output, HasSubstr(std::string("  horopter ") + command)) << command;

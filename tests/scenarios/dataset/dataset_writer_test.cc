@@ -88,7 +88,14 @@ class Studio {
   std::shared_ptr<const sim::SceneShapes> shapes_;
 };
 
-DatasetInfo Info() { return {"koala/room", 7, "llvmpipe", {{"horopter", "0.1.0"}}}; }
+DatasetInfo Info() {
+  DatasetInfo info;
+  info.scene = "koala/room";
+  info.seed = 7;
+  info.gl_renderer = "llvmpipe";
+  info.versions = {{"horopter", "0.1.0"}};
+  return info;
+}
 
 nlohmann::json Manifest(const fs::path& folder) {
   return nlohmann::json::parse(ReadFile(folder / "manifest.json"));
@@ -114,9 +121,9 @@ TEST(DatasetWriter, WritesWhatItSaysAndItReadsBack) {
   std::set<std::string> expected = {"SHA256SUMS", "cameras.yaml", "contacts.csv", "joints.csv",
                                     "poses.csv"};
   for (const std::string eye : {"left", "right"}) {
-    for (const char* ending :
-         {".png", "_depth.pfm", "_normals.pfm", "_parts.png", "_objects.png", "_disparity.flo",
-          "_visibility.png", "_flow.flo", "_flow_visibility.png"}) {
+    for (const char* ending : {".png", "_depth.pfm", "_normals.pfm", "_parts.png", "_objects.png",
+                               "_disparity.flo", "_visibility.png", "_flow_previous_to_this.flo",
+                               "_flow_previous_to_this_visibility.png"}) {
       expected.insert(eye + ending);
     }
   }
@@ -163,6 +170,42 @@ TEST(DatasetWriter, SaysThatItIsIncompleteUntilItIsFinished) {
   EXPECT_EQ(manifest["gl_renderer"], "llvmpipe");
   EXPECT_EQ(manifest["versions"]["horopter"], "0.1.0");
   EXPECT_EQ(manifest["images"].size(), 4u);
+}
+
+TEST(DatasetWriter, ManifestSaysWhatWasAskedForAndWhichPixelsFlowLiesOn) {
+  const Scratch scratch;
+  DatasetInfo info = Info();
+  info.seed.reset();
+  info.robot = "koala";
+  info.gl_backend = "osmesa";
+  info.command = "horopter render koala/room.xml";
+  info.request = R"({"scene": "koala/room"})";
+  info.left_out_of_profile = {{"shutter", "still"}};
+  DatasetWriter(scratch / "set", info, {}).Finish();
+  const nlohmann::json manifest = Manifest(scratch / "set");
+  EXPECT_TRUE(manifest["seed"].is_null());
+  EXPECT_EQ(manifest["robot"], "koala");
+  EXPECT_EQ(manifest["gl_backend"], "osmesa");
+  EXPECT_EQ(manifest["command"], "horopter render koala/room.xml");
+  EXPECT_EQ(manifest["request"]["scene"], "koala/room");
+  EXPECT_EQ(manifest["left_out_of_profile"]["shutter"], "still");
+  EXPECT_THAT(manifest["conventions"]["flow"], HasSubstr("pixels of the previous frame"));
+  EXPECT_THAT(manifest["conventions"]["normals"], HasSubstr("optical frame of the camera"));
+}
+
+TEST(DatasetWriter, DisparityBetweenAnyTwoCamerasIsNamedAfterThem) {
+  const Scratch scratch;
+  const Studio studio;
+  DatasetFrame frame;
+  frame.pairs = {studio.Pair("peripheral"), studio.Pair("foveal")};
+  frame.between = {{"peripheral_left", "foveal_right", *frame.pairs[0].left.to_other_eye}};
+  DatasetWriter writer(scratch / "set", Info(), {});
+  const fs::path at = writer.AddFrame(frame);
+  const DisplacementMaps read = ReadFlo(at / "peripheral_left_to_foveal_right_disparity.flo");
+  EXPECT_EQ(cv::norm(read.dx, frame.between[0].field.dx, cv::NORM_INF), 0);
+  EXPECT_TRUE(fs::exists(at / "peripheral_left_to_foveal_right_visibility.png"));
+  frame.between[0].to = "foveal_middle";
+  EXPECT_THROW(writer.AddFrame(frame), std::invalid_argument);
 }
 
 TEST(DatasetWriter, HashesAreThoseOfSha256sum) {
@@ -256,7 +299,7 @@ TEST(DatasetWriter, AddsSixteenBitPicturesAndCountsWhatDoesNotFit) {
     const double fx = frame.pairs[0].left.view.camera.intrinsics().fx;
     EXPECT_NEAR(disparity(0, 12), fx * 0.1 / 2.0, 1.0 / 512 + 1e-4);
   }
-  EXPECT_EQ(UnpackKittiFlow(ReadPng16(at / "left_flow.png", 3)).dx(9, 9), 0);
+  EXPECT_EQ(UnpackKittiFlow(ReadPng16(at / "left_flow_previous_to_this.png", 3)).dx(9, 9), 0);
 }
 
 TEST(DatasetWriter, RefusesAFolderThatHoldsSomething) {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenarios/render/render_request.h"
+
+namespace horopter::scenarios {
+
+/// What a data set's manifest says of its making.
+struct DatasetManifest {
+  std::string name;  ///< of the file, for messages
+  RenderRequest request;
+  std::string command;
+  std::string gl_renderer;
+  std::map<std::string, std::string> versions;
+  std::map<std::string, std::string> images;  ///< SHA-256 by relative path
+};
+
+/// @param path of a manifest.json, or of the folder that holds it
+/// @throws FormatError when it is no manifest with a request; ScenarioError when the request does
+///         not hold, or the file cannot be read
+DatasetManifest ReadManifest(const std::filesystem::path& path);
+
+/// Why a data set made again is not the one before: how many of its images differ or are missing,
+/// and what else is different about its making. Empty when all images are the same.
+std::string WhatDiffers(const DatasetManifest& before, const DatasetManifest& again);
+
+}  // namespace horopter::scenarios

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scenarios/format/scenes.h"
+#include "sim/camera/camera_profile.h"
+#include "tests/scenarios/cli/horopter_program.h"
+#include "tests/scenarios/format/corpus.h"
+
+namespace horopter::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class RenderCommand : public testing::Test {
+ protected:
+  std::string At(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  /// Renders small pictures. @return the set's folder
+  fs::path Make(const std::string& arguments, const std::string& name) const {
+    const Ran ran = Horopter("render " + arguments + " --out '" + At(name) + "'");
+    EXPECT_EQ(ran.code, 0) << arguments << "\n" << ran.output;
+    return folder_.path() / name;
+  }
+
+  static nlohmann::json Manifest(const fs::path& set) {
+    return nlohmann::json::parse(Slurp(set / "manifest.json"));
+  }
+
+  void ExpectRefused(const std::string& arguments, const std::string& remedy) const {
+    const Ran ran = Horopter("render " + arguments + " --out '" + At("refused") + "'");
+    EXPECT_EQ(ran.code, 2) << arguments << "\n" << ran.output;
+    EXPECT_THAT(ran.output, HasSubstr(remedy)) << arguments;
+    EXPECT_EQ(std::count(ran.output.begin(), ran.output.end(), '\n'), 1) << ran.output;
+    EXPECT_FALSE(fs::exists(At("refused"))) << arguments << " left a folder";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RenderCommand, HelpListsWhatThereIs) {
+  const std::string help = Horopter("render --help").output;
+  for (const std::string& profile : sim::CameraProfile::Names()) {
+    EXPECT_THAT(help, HasSubstr(profile));
+  }
+  for (const char* text : {"yorick/tabletop.xml: lateral, overview; before bookshelf, brick",
+                           "koala/room.xml: lateral, overview, plan", "osmesa", "left_tilt",
+                           "pixels of the frame before"}) {
+    EXPECT_THAT(help, HasSubstr(text));
+  }
+  EXPECT_THAT(help, testing::Not(HasSubstr("room_shell"))) << "that is no scene";
+}
+
+TEST_F(RenderCommand, OptionsThatDoNotApplyAreRefusedBeforeAnythingIsWritten) {
+  ExpectRefused("koala/room.xml --clutter 3", "has no table");
+  ExpectRefused("nao/workspace.xml --brightness 0.5", "name yorick/tabletop.xml");
+  ExpectRefused("koala/room.xml --poses p.csv --pan 3", "--poses excludes --pan");
+  ExpectRefused("koala/room.xml --poses p.csv --random 3", "excludes");
+  ExpectRefused("koala/room.xml --axis left_pan=3 --tilt 3", "excludes");
+  ExpectRefused("koala/empty_room.xml --goal 3,0", "--goal requires --obstacles");
+  ExpectRefused("koala/empty_room.xml --obstacles 3 --blocked --clearance 0.3", "excludes");
+  ExpectRefused("koala/room.xml --png16", "--png16 requires --truth");
+  ExpectRefused("koala/room.xml --truth-between left:right", "--truth-between requires --truth");
+  ExpectRefused("--again set --pan 3", "--again excludes --pan");
+  ExpectRefused("koala/room.xml --profile ideal --camera-file c.yaml", "excludes");
+}
+
+TEST_F(RenderCommand, ValuesThatDoNotHoldAreRefusedBeforeAnythingIsWritten) {
+  ExpectRefused("", "or --again MANIFEST");
+  ExpectRefused("koala/rom.xml", "did you mean 'koala/room.xml'?");
+  ExpectRefused("koala/koala.xml", "is only a part that scenes include");
+  ExpectRefused("koala/room.xml --robot nao", "has no camera 'left_eye'");
+  ExpectRefused("koala/room.xml --view nosuch", "known: lateral, overview, plan");
+  ExpectRefused("koala/room.xml --camera fovea", "eyes");
+  ExpectRefused("koala/room.xml --profile webcam", "webcam_vga");
+  ExpectRefused("koala/room.xml --size 3x3", "from 16 to 4096");
+  ExpectRefused("koala/room.xml --pan 3:9", "--random N");
+  ExpectRefused("koala/empty_room.xml --obstacles 2.9", "whole numbers");
+  ExpectRefused("koala/room.xml --obstacles 2", "koala/empty_room.xml");
+  ExpectRefused("koala/empty_room.xml --obstacles 2 --goal 3", "X,Y");
+  ExpectRefused("koala/room.xml --axis left_pna=3", "did you mean 'left_pan'?");
+  ExpectRefused("koala/room.xml --axis neck_pan=3", "has no such axis");
+  ExpectRefused("koala/room.xml --body obstacle_1=1,2", "X,Y,Z");
+  ExpectRefused("koala/room.xml --body obstacle_9=1,2,3", "did you mean 'obstacle_");
+  ExpectRefused("nao/workspace.xml --pan 87 --tilt 29", "tilts from -19.0 to 11.6 deg");
+  ExpectRefused("yorick/tabletop.xml --background bric", "did you mean 'brick'?");
+  ExpectRefused("yorick/tabletop.xml --truth --truth-between foveal_left:left", "two of foveal");
+  const fs::path poses = folder_.Write("p.csv", "pan_deg\nfar\n");
+  ExpectRefused("koala/room.xml --poses '" + poses.string() + "'", "p.csv:2: 'far' is no number");
+  const fs::path camera = folder_.Write("c.yaml", "lens: {blr_px: 1}\n");
+  ExpectRefused("koala/room.xml --camera-file '" + camera.string() + "'", "c.yaml:1:8");
+}
+
+TEST_F(RenderCommand, AManifestMakesTheSameDataSetAgain) {
+  const std::string camera =
+      folder_.Write("c.yaml", "width: 64\nheight: 48\nprofile: webcam_vga\nlens: {blur_px: 1}\n")
+          .string();
+  const fs::path first =
+      Make("koala/room.xml --seed 5 --random 2 --truth --view plan --camera-file '" + camera +
+               "' --body obstacle_1=1.1,0.1,0,20",
+           "first");
+  fs::remove(camera);
+  const fs::path second = Make("--again '" + (first / "manifest.json").string() + "'", "second");
+  for (const char* file :
+       {"manifest.json", "index.csv", "plan.png", "000000/SHA256SUMS", "000001/SHA256SUMS"}) {
+    EXPECT_FALSE(Slurp(first / file).empty()) << file;
+    EXPECT_EQ(Slurp(first / file), Slurp(second / file)) << file;
+  }
+  const nlohmann::json manifest = Manifest(first);
+  EXPECT_THAT(manifest.at("command"), HasSubstr("render koala/room.xml --seed 5 --random 2"));
+  EXPECT_EQ(manifest.at("scene"), "koala/room.xml");
+  EXPECT_EQ(manifest.at("gl_backend"), "osmesa");
+  EXPECT_EQ(manifest.at("request").at("camera").at("lens").at("blur_px"), 1);
+}
+
+TEST_F(RenderCommand, SetsThatCannotBeMadeAgainAsTheyWereExitWithOne) {
+  const fs::path first = Make("koala/room.xml --size 32x24", "first");
+  nlohmann::json manifest = Manifest(first);
+  EXPECT_TRUE(manifest.at("seed").is_null());
+  manifest["images"]["000000/left.png"] = std::string(64, '0');
+  manifest["versions"]["mujoco"] = "9.9";
+  const auto forged = folder_.Write("forged.json", manifest.dump());
+  const Ran ran = Horopter("render --again '" + forged.string() + "' --out '" + At("again") + "'");
+  EXPECT_EQ(ran.code, 1) << ran.output;
+  EXPECT_THAT(ran.output, HasSubstr("1 of 2 images are not those of"));
+  EXPECT_THAT(ran.output, HasSubstr("mujoco was 9.9"));
+  const auto none = folder_.Write("none.json", "{}");
+  ExpectRefused("--again '" + none.string() + "'", "is no manifest of a data set");
+}
+
+TEST_F(RenderCommand, GeneratedRoomIsInTheSet) {
+  const fs::path set =
+      Make("koala/empty_room.xml --obstacles 3 --goal 2.5,0 --clearance 0.3 --size 32x24", "room");
+  const auto room = nlohmann::json::parse(Slurp(set / "room.json"));
+  EXPECT_EQ(room.at("obstacles").size(), 3u);
+  EXPECT_GE(room.at("clearance_m"), 0.3);
+  EXPECT_NEAR(room.at("path_m").back().at(0), 2.5, 1e-9);
+  EXPECT_THAT(Slurp(set / "room.xml"), HasSubstr("<mujoco"));
+  EXPECT_EQ(Manifest(set).at("seed"), 0) << "a generated room has a seed";
+}
+
+TEST_F(RenderCommand, EyesTurnEachOnItsOwn) {
+  const fs::path set =
+      Make("koala/room.xml --axis left_pan=-5 --axis right_tilt=12 --size 32x24", "axes");
+  EXPECT_THAT(Slurp(set / "index.csv"), HasSubstr("\n0,000000,0.000000000,0,0,-5,0,0,12"));
+}
+
+}  // namespace
+}  // namespace horopter::scenarios
