@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scenarios/dataset/format_error.h"
+#include "scenarios/dataset/image_file.h"
 #include "scenarios/results/files.h"
 
 namespace horopter::scenarios {
@@ -172,14 +173,7 @@ std::string EncodePng(const cv::Mat& pixels) {
 
 cv::Mat DecodePng16(std::string_view bytes, int channels, const std::string& name) {
   RequireWhole(bytes, name);
-  const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
-  cv::Mat pixels;
-  try {
-    pixels = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception& e) {
-    throw FormatError(fmt::format("{}: damaged PNG: {}", name, e.err));
-  }
-  if (pixels.empty()) throw FormatError(fmt::format("{}: damaged PNG", name));
+  const cv::Mat pixels = DecodeImage(bytes, name);
   if (pixels.depth() != CV_16U || pixels.channels() != channels) {
     throw FormatError(fmt::format("{}: {} channels of {} bits, expected {} of 16", name,
                                   pixels.channels(), 8 * pixels.elemSize1(), channels));

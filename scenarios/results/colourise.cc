@@ -57,6 +57,7 @@ const Table& TableOf(ColourMap map) {
   static const Table error = Diverging({40, 4, -48}, {42, 62, 42});
   switch (map) {
     case ColourMap::kDepth:
+    case ColourMap::kRange:
       return depth;
     case ColourMap::kDisparity:
       return disparity;
@@ -137,6 +138,17 @@ cv::Mat3b ColouriseDisparity(const vision::DisparityField& field, double limit_p
   RequireLimit(limit_px);
   return Colourise(field.dx.size(), ColourMap::kDisparity, [&](int x, int y) {
     return field.valid(y, x) ? SignedFraction(field.dx(y, x), limit_px) : kNone;
+  });
+}
+
+cv::Mat3b ColouriseValues(const cv::Mat1f& values, ColourMap map, double low, double high) {
+  if (!(low < high)) {
+    throw std::invalid_argument(
+        fmt::format("colour scale {} to {}: must be low < high", low, high));
+  }
+  return Colourise(values.size(), map, [&](int x, int y) {
+    const double v = values(y, x);
+    return std::isfinite(v) ? std::clamp((v - low) / (high - low), 0.0, 1.0) : kNone;
   });
 }
 

@@ -9,11 +9,12 @@
 
 namespace horopter::scenarios {
 
-/// Colour maps of the pictures. kDepth is sequential (viridis: lightness falls steadily from near
-/// to far, readable without colour vision); the other two diverge from a light middle that stands
+/// Colour maps of the pictures. kDepth and kRange are sequential (viridis: lightness changes
+/// steadily, readable without colour vision); the other two diverge from a light middle that stands
 /// for zero.
 enum class ColourMap {
   kDepth,        ///< yellow near to violet far, logarithmic: equal steps are equal ratios
+  kRange,        ///< yellow low to violet high, linear
   kDisparity,    ///< orange negative (nearer than fixation), white zero, violet positive
   kSignedError,  ///< blue negative (too near), white zero, red positive (too far)
 };
@@ -30,6 +31,10 @@ cv::Mat3b ColouriseDepth(const cv::Mat1f& depth_m, double near_m, double far_m);
 /// The horizontal component of a vector disparity: white is the horopter.
 /// @throws std::invalid_argument unless limit_px > 0
 cv::Mat3b ColouriseDisparity(const vision::DisparityField& field, double limit_px);
+
+/// Any values on a linear scale from low to high.
+/// @throws std::invalid_argument unless low < high
+cv::Mat3b ColouriseValues(const cv::Mat1f& values, ColourMap map, double low, double high);
 
 /// @param error of any unit, e.g. (Z - Z*) / Z*
 /// @throws std::invalid_argument unless limit > 0
