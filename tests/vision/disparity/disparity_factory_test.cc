@@ -9,6 +9,7 @@
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <optional>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -44,6 +45,10 @@ struct Choice {
   std::optional<SearchRange> range;
 };
 
+std::ostream& operator<<(std::ostream& out, const Choice& choice) {
+  return out << choice.method << ":" << choice.preset;
+}
+
 std::vector<Choice> AllChoices() {
   std::vector<Choice> choices;
   for (const DisparityMethod& method : DisparityMethods()) {
@@ -77,7 +82,8 @@ TEST_P(Estimators, NamesItsMethod) { EXPECT_EQ(estimator_->name(), GetParam().me
 
 TEST_P(Estimators, NearerPointsHaveNegativeDx) {
   const double dy = Vertical(1.5);
-  const SyntheticPair pair = ShiftedPair(kSize, -5, dy);
+  // Wide enough that borders, which some methods leave out, are a small part of it.
+  const SyntheticPair pair = ShiftedPair({320, 240}, -5, dy);
   const auto score =
       ScoreWarp(Estimate(pair.left, pair.right), cv::Matx33d(1, 0, -5, 0, 1, dy, 0, 0, 1));
   EXPECT_LT(score.median_error_px, 0.25);

@@ -38,6 +38,35 @@ cv::Mat ReadImage(const std::string& path) {
   return image;
 }
 
+/// @param disparity x_left - x_right; not finite = unknown
+/// @param H carries the right image's pixels to where a turned right eye sees them
+PairWithTruth WithTruth(const cv::Mat& left, const cv::Mat& right, const cv::Mat1f& disparity,
+                        const cv::Matx33d& H) {
+  PairWithTruth pair{left, right, {}, {}};
+  if (H != cv::Matx33d::eye()) {
+    cv::warpPerspective(right, pair.right, H, left.size(), cv::INTER_CUBIC);
+  }
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  pair.dx = cv::Mat1f(disparity.size(), unknown);
+  pair.dy = cv::Mat1f(disparity.size(), unknown);
+  for (int y = 0; y < disparity.rows; ++y) {
+    for (int x = 0; x < disparity.cols; ++x) {
+      if (!std::isfinite(disparity(y, x))) continue;
+      const cv::Vec3d match = H * cv::Vec3d(x - disparity(y, x), y, 1);
+      const cv::Point2d p(match[0] / match[2], match[1] / match[2]);
+      if (p.x < 0 || p.y < 0 || p.x > disparity.cols - 1 || p.y > disparity.rows - 1) continue;
+      pair.dx(y, x) = static_cast<float>(p.x - x);
+      pair.dy(y, x) = static_cast<float>(p.y - y);
+    }
+  }
+  return pair;
+}
+
+PairWithTruth PublishedPair(const std::string& folder, const cv::Matx33d& H) {
+  return WithTruth(ReadImage(folder + "left.png"), ReadImage(folder + "right.png"),
+                   ReadPfm(folder + "disparity.pfm"), H);
+}
+
 }  // namespace
 
 std::optional<std::string> DataFolder() {
@@ -70,28 +99,22 @@ cv::Mat1f ReadPfm(const std::string& path) {
 }
 
 PairWithTruth VergedMotorcycle(const std::string& data_folder, const EyeTurn& turn) {
-  const std::string folder = data_folder + "/motorcycle/";
-  PairWithTruth pair;
-  pair.left = ReadImage(folder + "left.png");
-  const cv::Mat1f disparity = ReadPfm(folder + "disparity.pfm");
-  const cv::Matx33d H = TurnHomography(turn);
-  cv::warpPerspective(ReadImage(folder + "right.png"), pair.right, H, pair.left.size(),
-                      cv::INTER_CUBIC);
+  return PublishedPair(data_folder + "/motorcycle/", TurnHomography(turn));
+}
 
-  const float unknown = std::numeric_limits<float>::quiet_NaN();
-  pair.dx = cv::Mat1f(disparity.size(), unknown);
-  pair.dy = cv::Mat1f(disparity.size(), unknown);
-  for (int y = 0; y < disparity.rows; ++y) {
-    for (int x = 0; x < disparity.cols; ++x) {
-      if (!std::isfinite(disparity(y, x))) continue;
-      const cv::Vec3d match = H * cv::Vec3d(x - disparity(y, x), y, 1);
-      const cv::Point2d p(match[0] / match[2], match[1] / match[2]);
-      if (p.x < 0 || p.y < 0 || p.x > disparity.cols - 1 || p.y > disparity.rows - 1) continue;
-      pair.dx(y, x) = static_cast<float>(p.x - x);
-      pair.dy(y, x) = static_cast<float>(p.y - y);
-    }
-  }
-  return pair;
+PairWithTruth RectifiedPair(const std::string& data_folder, const std::string& name) {
+  return PublishedPair(data_folder + "/" + name + "/", cv::Matx33d::eye());
+}
+
+std::optional<PairWithTruth> AloePair() {
+  const std::string folder = kAloeFolder;
+  if (!std::filesystem::exists(folder + "aloeL.jpg")) return std::nullopt;
+  const cv::Mat1b levels = cv::imread(folder + "aloeGT.png", cv::IMREAD_GRAYSCALE);
+  cv::Mat1f disparity;
+  levels.convertTo(disparity, CV_32F);
+  disparity.setTo(std::numeric_limits<float>::infinity(), levels == 0);
+  return WithTruth(ReadImage(folder + "aloeL.jpg"), ReadImage(folder + "aloeR.jpg"), disparity,
+                   cv::Matx33d::eye());
 }
 
 FieldScore Score(const DisparityField& field, const cv::Mat1f& true_dx, const cv::Mat1f& true_dy) {

@@ -41,6 +41,14 @@ struct EyeTurn {
 /// carried through the homography of the turn. Occluded pixels keep their truth.
 PairWithTruth VergedMotorcycle(const std::string& data_folder, const EyeTurn& turn);
 
+/// A published pair as it is, rectified: "motorcycle", "teddy" or "reindeer".
+PairWithTruth RectifiedPair(const std::string& data_folder, const std::string& name);
+
+/// Middlebury's Aloe, as OpenCV ships it (1282x1110, disparities of 43 to 211 px); nothing where
+/// Debian's opencv-doc is not installed.
+inline constexpr char kAloeFolder[] = "/usr/share/doc/opencv-doc/examples/data/";
+std::optional<PairWithTruth> AloePair();
+
 /// How a field compares with the truth, over the pixels that have one.
 struct FieldScore {
   double density = 0;          ///< share that is valid
