@@ -102,12 +102,6 @@ Session::Ending Session::Run() {
   for (const Step& step : scenario_.steps) {
     ending = Play(step);
     if (ending.interrupted || !ending.failure.empty()) break;
-  if (output.impossible) {
-    Fail(step.mark,
-         fmt::format("{}: {}, where the robot is by then; give another target, or a goto "
-                     "before that brings it into reach",
-                     name, output.failure));
-  }
   }
   return ending;
 }
@@ -129,6 +123,12 @@ Session::Ending Session::Play(const Step& step) {
     ending.interrupted = hooks_.interrupted();
   } while (!output.done && !ending.interrupted && !OutOfTime());
   if (const auto* go = std::get_if<GotoStep>(&action)) FinishGoto(*go, output, begun);
+  if (output.impossible) {
+    Fail(step.mark,
+         fmt::format("{}: {}, where the robot is by then; give another target, or a goto "
+                     "before that brings it into reach",
+                     name, output.failure));
+  }
   if (!output.failure.empty()) {
     ending.failure = name + ": " + output.failure;
   } else if (!output.done && !ending.interrupted) {
