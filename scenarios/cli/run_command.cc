@@ -85,7 +85,10 @@ Command AddRunCommand(CLI::App& parent) {
       ->check(CLI::IsMember({"osmesa", "egl"}));
   auto* seed = app->add_option("--seed", a->seed, "Seed instead of each scenario's own");
   app->add_option("--seeds", a->seeds, "Several: 1-20 or 1,3,5-7")->excludes(seed);
-  app->add_option("--tag", a->tags, "Only scenarios with this tag; may stand several times")
+  app->add_option(
+         "--tag", a->tags,
+         "Only scenarios with this tag; may stand several times. Those tagged \"experiment\" are "
+         "played from a folder only so")
       ->allow_extra_args(false);  // or it would swallow the inputs behind it
   app->add_option("--out", a->out, "Results folder [results/run-<date>-<time>]");
   app->add_option("--jobs", a->jobs, "Runs beside each other [1]")->check(CLI::Range(1, kMostJobs));

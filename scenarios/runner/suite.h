@@ -19,13 +19,17 @@ enum class EarlierResults {
   kReplace,  ///< remove them
 };
 
+/// Tag of scenarios that a folder's runs leave out unless they are asked for by it or by file.
+inline constexpr char kOnRequestTag[] = "experiment";
+
 /// What `horopter run` was asked to do.
 struct SuiteOptions {
   std::vector<std::filesystem::path> inputs;  ///< scenario files and folders of them
   std::optional<std::string> backend;         ///< instead of each scenario's own
   std::optional<std::string> gl;              ///< likewise
   std::vector<std::uint64_t> seeds;           ///< each scenario with each; empty: its own
-  std::vector<std::string> tags;              ///< only scenarios with one of them; empty: all
+  /// Only scenarios with one of them; empty: all but the experiments that a folder holds.
+  std::vector<std::string> tags;
   std::filesystem::path out;                  ///< empty: results/run-<date>-<time>
   int jobs = 1;                               ///< runs beside each other
   EarlierResults earlier = EarlierResults::kRefuse;

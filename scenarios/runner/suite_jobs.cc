@@ -17,10 +17,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool HasTag(const Scenario& scenario, const std::vector<std::string>& tags) {
-  return tags.empty() || std::any_of(tags.begin(), tags.end(), [&scenario](const auto& tag) {
-           return std::count(scenario.tags.begin(), scenario.tags.end(), tag) > 0;
-         });
+bool HasTag(const Scenario& scenario, const std::string& tag) {
+  return std::count(scenario.tags.begin(), scenario.tags.end(), tag) > 0;
+}
+
+/// Experiments are played when they are asked for, by file or by tag: they may take long, or show
+/// what fails.
+bool IsAskedFor(const Scenario& scenario, const SuiteOptions& options) {
+  if (!options.tags.empty()) {
+    return std::any_of(options.tags.begin(), options.tags.end(),
+                       [&scenario](const auto& tag) { return HasTag(scenario, tag); });
+  }
+  const auto names_it = [&scenario](const fs::path& input) {
+    std::error_code gone;
+    return fs::equivalent(input, scenario.file, gone);
+  };
+  return !HasTag(scenario, kOnRequestTag) ||
+         std::any_of(options.inputs.begin(), options.inputs.end(), names_it);
 }
 
 /// "koala-first_waypoint" of .../scenarios/koala/first_waypoint.yaml
@@ -38,7 +51,7 @@ std::vector<SuiteJob> MakeJobs(const SuiteOptions& options) {
   for (const fs::path& file : FindScenarios(options.inputs)) {
     try {
       Scenario scenario = ParseScenario(file, {ScenesDir()});
-      if (!HasTag(scenario, options.tags)) continue;
+      if (!IsAskedFor(scenario, options)) continue;
       const std::string stem = FolderStem(scenario);
       const auto [other, fresh] = files.emplace(stem, file);
       if (!fresh) {

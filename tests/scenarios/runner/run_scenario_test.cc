@@ -216,8 +216,12 @@ TEST_F(RunScenarioTest, GotoThatIsNeverBegunIsNotReached) {
   Scenario scenario = ParseScenarioText(
       std::string(kShort) + "  - reached within 0.2 m before 9 s\n", "short.yaml", {ScenesDir()});
   scenario.steps = {scenario.steps[1], scenario.steps[0], scenario.steps[1]};
-  scenario.steps[1].action = FixateStep{{-1, 0, 0.3}, 0.3};
+  GotoStep hurried;
+  hurried.goal_m = {0.5, 0};
+  hurried.timeout_s = 0.1;
+  scenario.steps[1].action = hurried;
   const RunSummary run = Play(scenario, "run");
+  ASSERT_FALSE(run.expectations.empty());
   EXPECT_EQ(run.expectations.back().outcome, ExpectationOutcome::kFailed);
   EXPECT_THAT(run.expectations.back().detail, testing::HasSubstr("never begun"));
   EXPECT_EQ(run.metrics.count("reached"), 0u);
