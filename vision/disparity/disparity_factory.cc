@@ -35,7 +35,7 @@ std::string KnownMethods() {
 const std::vector<DisparityMethod>& DisparityMethods() {
   static const std::vector<DisparityMethod> methods = {
       {"v1",
-       {"checked", "accurate", "fast", "realtime", "cautious", "paper_2009"},
+       {"checked", "accurate", "dense", "fast", "realtime", "cautious", "paper_2009"},
        false,
        "binocular energy model of V1"},
       {"dis",

@@ -8,6 +8,22 @@
 #include "vision/disparity/image_pair.h"
 
 namespace horopter::vision {
+namespace {
+
+/// Two costs of 16 bits for each pixel and disparity at once, in the modes that need them all.
+void RequireMemory(const SgbmConfig& config, cv::Size size) {
+  constexpr double kMostMb = 4000;
+  const bool whole_image =
+      config.mode == cv::StereoSGBM::MODE_HH || config.mode == cv::StereoSGBM::MODE_HH4;
+  const double needed_mb = 4e-6 * size.width * size.height * config.range.count_px;
+  if (!whole_image || needed_mb <= kMostMb) return;
+  throw std::invalid_argument("sgbm's modes hh and hh4 take " +
+                              std::to_string(static_cast<int>(needed_mb)) + " MB for " +
+                              std::to_string(size.width) + "x" + std::to_string(size.height) +
+                              ": choose 3way or sgbm, or smaller images");
+}
+
+}  // namespace
 
 std::vector<hardware::FieldError> SgbmConfig::Validate() const {
   hardware::FieldChecker check("sgbm.");
@@ -58,6 +74,7 @@ DisparityField SgbmEstimator::Estimate(const cv::Mat& left, const cv::Mat& right
                                        hardware::StageTimes* times) {
   CheckPair(left, right);
   const SgbmConfig& c = config_;
+  RequireMemory(c, left.size());
   cv::Mat1s disparity_16(left.size(), static_cast<short>(16 * (c.range.min_px - 1)));
   const cv::Mat1b left_grey = ToGrey(left);
   const bool matchable = left.cols > c.range.UnmatchedColumns() + c.block_px;

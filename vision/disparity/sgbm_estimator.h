@@ -50,7 +50,8 @@ struct SgbmConfig {
 ///
 /// Invalid is what OpenCV gives up, what has no texture, and the columns for which the range leads
 /// beyond the right image: images no wider than that have no valid pixel. Confidence is 1 where
-/// valid.
+/// valid. Pairs for which a mode that holds the whole image would take over 4 GB throw
+/// std::invalid_argument besides.
 class SgbmEstimator final : public DisparityEstimator {
  public:
   /// @throws ConfigError naming every bad field.

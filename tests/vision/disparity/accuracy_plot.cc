@@ -75,6 +75,31 @@ std::string Grid(const LogAxis& ms, const LogAxis& bad) {
   return svg;
 }
 
+/// Finds room for labels, each beside its dot, or above or below where another one is.
+class Labels {
+ public:
+  /// @return the base line of a label that begins at x, as near to y as there is room
+  double Place(double x, double y, const std::string& text) {
+    constexpr double kLine = 14, kCharacter = 6.6;
+    const double end = x + kCharacter * static_cast<double>(text.size());
+    for (const double move : {0.0, -kLine, kLine, -2 * kLine, 2 * kLine}) {
+      const bool taken = std::any_of(placed_.begin(), placed_.end(), [&](const Box& box) {
+        return x < box.end && end > box.begin && std::abs(box.y - (y + move)) < kLine;
+      });
+      if (taken) continue;
+      placed_.push_back({x, end, y + move});
+      return y + move;
+    }
+    return y;
+  }
+
+ private:
+  struct Box {
+    double begin, end, y;
+  };
+  std::vector<Box> placed_;
+};
+
 }  // namespace
 
 std::string AccuracyPlot(const std::string& title, const std::vector<MethodResult>& results) {
@@ -96,20 +121,24 @@ std::string AccuracyPlot(const std::string& title, const std::vector<MethodResul
     const LogAxis ms(fast->median_ms, slow->median_ms, kLeft, kWidth - kRight);
     const LogAxis bad(Bad2(*good), Bad2(*poor), kHeight - kBottom, kTop);
     svg += Grid(ms, bad);
+    Labels labels;
     for (const MethodResult& r : shown) {
       const double x = ms.At(r.median_ms), y = bad.At(Bad2(r));
       const double radius = 9 * std::sqrt(r.score.density);
       svg += fmt::format(
           "<circle cx='{0:.1f}' cy='{1:.1f}' r='{2:.1f}' fill='{3}' fill-opacity='.75'/>"
           "<text x='{4:.1f}' y='{5:.1f}' fill='{3}'>{6}</text>\n",
-          x, y, radius, ColourOf(r.name), x + radius + 3, y + 4, r.name);
+          x, y, radius, ColourOf(r.name), x + radius + 3,
+          labels.Place(x + radius + 3, y + 4, r.name), r.name);
     }
   }
   return svg + fmt::format(
                    "<text x='{}' y='{}' text-anchor='middle'>median time [ms]</text>\n"
                    "<text transform='translate(16 {}) rotate(-90)' text-anchor='middle'>share of "
-                   "estimates off by more than 2 px</text>\n</svg>\n",
-                   (kLeft + kWidth - kRight) / 2, kHeight - 12, (kTop + kHeight - kBottom) / 2);
+                   "estimates off by more than 2 px</text>\n<text x='{}' y='22' text-anchor='end' "
+                   "fill='#606060'>area: density; better is lower left</text>\n</svg>\n",
+                   (kLeft + kWidth - kRight) / 2, kHeight - 12, (kTop + kHeight - kBottom) / 2,
+                   kWidth - 20);
 }
 
 }  // namespace horopter::vision::testing

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the methods for rectified pairs have in common beyond the contract of every method.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "textured_pair.h"
@@ -43,6 +45,19 @@ TEST_P(RectifiedMethods, ImagesNarrowerThanTheRangeGiveAnEmptyField) {
       CreateDisparityEstimator(GetParam())->Estimate(pair.left, pair.right);
   EXPECT_EQ(cv::countNonZero(field.valid), 0);
   EXPECT_EQ(field.dx.size(), cv::Size(130, 90));
+}
+
+TEST(SgbmEstimator, RefusesWhatWouldNotFitIntoMemory) {
+  const cv::Mat1b large = cv::Mat1b::zeros(4320, 7680);
+  for (const char* preset : {"hh", "hh4"}) {
+    const auto estimator = CreateDisparityEstimator("sgbm", preset);
+    try {
+      estimator->Estimate(large, large);
+      FAIL() << preset;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("16986 MB for 7680x4320: choose 3way"));
+    }
+  }
 }
 
 }  // namespace
