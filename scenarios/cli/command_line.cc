@@ -28,6 +28,7 @@ constexpr const char* kFooter =
     "  horopter validate scenarios/koala/first_waypoint.yaml\n"
     "  horopter compare results/before results/after\n"
     "  horopter render koala/room.xml --random 20 --truth --out dataset\n"
+    "  horopter disparity left.png right.png --out disparity.flo\n"
     "\nExit codes: 0 all passed; 1 an expectation failed, or a regression; 2 bad input or usage;\n"
     "3 infrastructure (no GL, disk full); 4 hardware unavailable.";
 
@@ -123,6 +124,8 @@ int RunCommandLine(int argc, const char* const* argv) {
                                          AddValidateCommand(app),
                                          AddCompareCommand(app),
                                          AddRenderCommand(app, CommandLine(argc, argv)),
+                                         AddDisparityCommand(app),
+                                         AddScoreCommand(app),
                                          AddDoctorCommand(app),
                                          AddSchemaCommand(app),
                                          AddTimingCommand(app)};

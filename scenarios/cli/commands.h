@@ -21,10 +21,12 @@ Command AddRunCommand(CLI::App& parent);
 Command AddListCommand(CLI::App& parent);
 Command AddValidateCommand(CLI::App& parent);
 Command AddCompareCommand(CLI::App& parent);
+Command AddDisparityCommand(CLI::App& parent);
 Command AddDoctorCommand(CLI::App& parent);
 /// @param command_line that the program was called with, for the data set's manifest
 Command AddRenderCommand(CLI::App& parent, const std::string& command_line);
 Command AddSchemaCommand(CLI::App& parent);
+Command AddScoreCommand(CLI::App& parent);
 Command AddTimingCommand(CLI::App& parent);
 
 }  // namespace horopter::scenarios

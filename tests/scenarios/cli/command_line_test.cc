@@ -26,7 +26,8 @@ constexpr const char* kShipped = HOROPTER_SOURCE_DIR "/scenarios/koala/first_way
 
 TEST(CommandLine, HelpHasAnExampleEverywhere) {
   for (const char* command :
-       {"", "run", "list", "validate", "compare", "render", "doctor", "schema", "timing"}) {
+       {"", "run", "list", "validate", "compare", "render", "disparity", "score", "doctor", "schema",
+        "timing"}) {
     const Ran ran = Horopter(std::string(command) + " --help");
     EXPECT_EQ(ran.code, 0) << command;
     EXPECT_THAT(ran.output, HasSubstr(std::string("  horopter ") + command)) << command;
