@@ -120,8 +120,9 @@ V1Config V1Config::Preset(std::string_view name) {
     c.explore_from = 2;
     c.iterations = 2;
     c.neighbour_px = {1, 6, 24, 0};
+    c.try_steps_from = 1;
     // The coherence is measured before the only refinement, where it is lower.
-    c.min_coherence = 0.28;
+    c.min_coherence = 0.30;
     if (name == "fast") return config;
     c.finest_octave = 1;
     c.min_coherence = 0.4;
