@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy_scenes.h"
 
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -25,6 +25,12 @@ cv::Mat Noisy(const cv::Mat& image, double sigma, std::uint64_t seed) {
   random.fill(noise, cv::RNG::NORMAL, 0, sigma);
   cv::Mat out;
   cv::add(image, noise, out, cv::noArray(), CV_8U);
+  return out;
+}
+
+cv::Mat Dimmed(const cv::Mat& image, double factor) {
+  cv::Mat out;  // of its own: images share their pixels when they are copied
+  image.convertTo(out, -1, factor);
   return out;
 }
 
@@ -67,10 +73,8 @@ PairWithTruth WithNoise(const PairWithTruth& pair, double sigma_grey) {
 }
 
 PairWithTruth WithGain(const PairWithTruth& pair, double gain) {
-  PairWithTruth out = pair;
-  if (gain < 1) pair.right.convertTo(out.right, -1, gain);
-  if (gain > 1) pair.left.convertTo(out.left, -1, 1 / gain);
-  return out;
+  return {Dimmed(pair.left, std::min(1.0, 1 / gain)), Dimmed(pair.right, std::min(1.0, gain)),
+          pair.dx, pair.dy};
 }
 
 PairWithTruth WithVerticalOffset(const PairWithTruth& pair, int dy) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "real_pair.h"
 #include "textured_pair.h"
 #include "vision/disparity/disparity_factory.h"
 
@@ -45,6 +46,24 @@ TEST_P(RectifiedMethods, ImagesNarrowerThanTheRangeGiveAnEmptyField) {
       CreateDisparityEstimator(GetParam())->Estimate(pair.left, pair.right);
   EXPECT_EQ(cv::countNonZero(field.valid), 0);
   EXPECT_EQ(field.dx.size(), cv::Size(130, 90));
+}
+
+// What OpenCV's samples reach on this pair, with the parameters of their own.
+TEST(RectifiedMotorcycle, PeersAreAsGoodAsTheyAreElsewhere) {
+  const auto folder = testing::DataFolder();
+  if (!folder) GTEST_SKIP() << testing::kDataRemedy;
+  const testing::PairWithTruth pair = testing::RectifiedPair(*folder, "motorcycle");
+  const auto score = [&](const char* method) {
+    const auto estimator = CreateDisparityEstimator(method, "", SearchRange::Covering(0, 64));
+    return testing::Score(estimator->Estimate(pair.left, pair.right), pair.dx, pair.dy);
+  };
+  const testing::FieldScore sgbm = score("sgbm"), bm = score("bm");
+  EXPECT_GE(sgbm.density, 0.84);
+  EXPECT_LE(sgbm.median_error_px, 0.18);
+  EXPECT_LE(sgbm.bad2, 0.06);
+  EXPECT_GE(bm.density, 0.73);
+  EXPECT_LE(bm.median_error_px, 0.17);
+  EXPECT_LE(bm.bad2, 0.07);
 }
 
 TEST(SgbmEstimator, RefusesWhatWouldNotFitIntoMemory) {
