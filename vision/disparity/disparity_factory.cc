@@ -17,7 +17,7 @@ Config WithRange(Config config, const std::optional<SearchRange>& range) {
   return config;
 }
 
-/// "dis (medium, fast), v1 (checked)"
+/// "dis (medium, fast), v1 (accurate)"
 std::string KnownMethods() {
   std::string text;
   for (const DisparityMethod& method : DisparityMethods()) {
@@ -35,7 +35,7 @@ std::string KnownMethods() {
 const std::vector<DisparityMethod>& DisparityMethods() {
   static const std::vector<DisparityMethod> methods = {
       {"v1",
-       {"checked", "accurate", "dense", "fast", "realtime", "cautious", "paper_2009"},
+       {"accurate", "dense", "fast", "realtime", "checked", "cautious", "paper_2009"},
        false,
        "binocular energy model of V1"},
       {"dis",
