@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Pooling (closed_form_loops.h says how it is compiled).
+
+#include <algorithm>
+#include <cstdint>
+
+#include "vision/disparity/closed_form_kernels.h"
+#include "vision/disparity/lanes.h"
+
+namespace horopter::vision::HOROPTER_KERNELS {
+
+/// The recursive filter along a row, there and back (Gastal & Oliveira, SIGGRAPH 2011).
+inline void PoolRow(std::int16_t* row, const std::uint8_t* edge_x, const PoolingWeights& weights,
+                    int width) {
+  S16 pooled = LoadLanes(row);
+  for (int x = 1; x < width; ++x) {
+    const S16 own = LoadLanes(row + x * kLanes);
+    pooled = own + MulQ15(pooled - own, Splat(weights[edge_x[x]]));
+    StoreLanes(row + x * kLanes, pooled);
+  }
+  for (int x = width - 2; x >= 0; --x) {
+    const S16 own = LoadLanes(row + x * kLanes);
+    pooled = own + MulQ15(pooled - own, Splat(weights[edge_x[x + 1]]));
+    StoreLanes(row + x * kLanes, pooled);
+  }
+}
+
+inline void PoolDown(const ColumnPool& p, int y_begin, int y_end, int x_begin, int x_end) {
+  const std::int64_t row = std::int64_t{p.width} * kLanes;
+  for (int y = std::max(1, y_begin); y < y_end; ++y) {
+    const std::uint8_t* edge = p.edge_y + std::int64_t{y} * p.width;
+    for (int x = x_begin; x < x_end; ++x) {
+      std::int16_t* lanes = p.lanes + y * row + x * kLanes;
+      const S16 own = LoadLanes(lanes), above = LoadLanes(lanes - row);
+      StoreLanes(lanes, own + MulQ15(above - own, Splat((*p.weights)[edge[x]])));
+    }
+  }
+}
+
+/// The way back up, one pixel: its lanes are final then.
+inline S16 PoolUp(const ColumnPool& p, int x, int y) {
+  const std::int64_t row = std::int64_t{p.width} * kLanes;
+  std::int16_t* lanes = p.lanes + y * row + x * kLanes;
+  // Rows are too far apart for the processor to fetch the next one by itself.
+  constexpr int kAhead = 6;
+  __builtin_prefetch(lanes - std::min(kAhead, y) * row, 1);
+  const S16 own = LoadLanes(lanes);
+  if (y + 1 == p.height) return own;
+  const S16 below = LoadLanes(lanes + row);
+  const std::uint8_t edge = p.edge_y[std::int64_t{y + 1} * p.width + x];
+  const S16 pooled = own + MulQ15(below - own, Splat((*p.weights)[edge]));
+  StoreLanes(lanes, pooled);
+  return pooled;
+}
+
+}  // namespace horopter::vision::HOROPTER_KERNELS
