@@ -3,6 +3,7 @@
 # from it, or "unknown" where there is no git. A header that would not change keeps its time, and
 # DEPFILE names all that the answer depends on, so that an unchanged tree has nothing to build.
 #   cmake -DSOURCE_DIR=... -DHEADER=... -DDEPFILE=... -P write_build_version.cmake
+cmake_minimum_required(VERSION 3.25)
 set(commit unknown)
 set(inputs "")
 find_package(Git QUIET)
