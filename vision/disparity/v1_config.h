@@ -96,7 +96,7 @@ struct ClosedFormConfig {
   // --- Checks ---
 
   /// Pooled binocular correlation of the winning hypothesis below which it is invalid.
-  double min_coherence = 0.36;
+  double min_coherence = 0.31;
   /// Largest distance between a pixel and where its match points back to [px]; 0 = no check, and
   /// half the time.
   double left_right_px = 0.8;
