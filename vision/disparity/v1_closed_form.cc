@@ -19,11 +19,6 @@ ClosedFormConfig Checked(const ClosedFormConfig& config) {
   return config;
 }
 
-ClosedFormConfig Reverse(ClosedFormConfig config) {
-  config.finest_octave += config.reverse_octaves;
-  return config;
-}
-
 /// Two functions at once, where the second is asked for.
 template <typename First, typename Second>
 void Both(bool also_second, First first, Second second) {
@@ -34,16 +29,12 @@ void Both(bool also_second, First first, Second second) {
   }
 }
 
-/// The size of an octave of an image: halved and rounded up, so many times.
-cv::Size OctaveSize(cv::Size image, int octave) {
-  const int scale = 1 << octave;
-  return {(image.width + scale - 1) / scale, (image.height + scale - 1) / scale};
-}
-
-/// A field of one octave in the pixels of a finer one, for every one of them.
-void Enlarge(int octave, int to_octave, cv::Size image, DisparityField& field) {
-  for (; octave > to_octave; --octave) {
-    const cv::Size finer = OctaveSize(image, octave - 1);
+/// A field of an octave in the pixels of the image, for every one of them.
+void Enlarge(int octave, cv::Size image, DisparityField& field) {
+  for (; octave > 0; --octave) {
+    // Halving rounded up, once for each octave left.
+    const int scale = 1 << (octave - 1);
+    const cv::Size finer((image.width + scale - 1) / scale, (image.height + scale - 1) / scale);
     field.dx = UpsampleDisparity(field.dx, finer);
     field.dy = UpsampleDisparity(field.dy, finer);
     field.confidence = UpsampleNearest(field.confidence, finer);
@@ -59,7 +50,7 @@ V1ClosedFormEstimator::V1ClosedFormEstimator(const ClosedFormConfig& config,
       bank_(config),
       kernels_(SelectKernels(kernels)),
       there_(config, bank_, kernels_),
-      back_(Reverse(config), bank_, kernels_) {}
+      back_(config, bank_, kernels_) {}
 
 SearchBounds V1ClosedFormEstimator::Bounds(bool use_prior) const {
   const double x = config_.search_x_px, y = config_.search_y_px;
@@ -81,19 +72,15 @@ DisparityField V1ClosedFormEstimator::Match(cv::Size image, bool use_prior,
         [&] { back_.Run(right_, left_, reversed, reverse_); });
   });
   hardware::MeasureIf(times, "checks", [&] {
-    const int octave = config_.finest_octave;
-    const double pixel = 1 << octave;
+    const double pixel = 1 << config_.finest_octave;
     InvalidateOutside(field);
-    if (check) {
-      Enlarge(octave + config_.reverse_octaves, octave, image, reverse_);
-      CheckLeftRight(reverse_, config_.left_right_px / pixel, field);
-    }
+    if (check) CheckLeftRight(reverse_, config_.left_right_px / pixel, field);
     if (config_.min_segment_px > 1) {
       InvalidateSmallSegments(static_cast<int>(config_.min_segment_px / (pixel * pixel)),
                               config_.segment_step_px / pixel, field);
     }
   });
-  hardware::MeasureIf(times, "enlarge", [&] { Enlarge(config_.finest_octave, 0, image, field); });
+  hardware::MeasureIf(times, "enlarge", [&] { Enlarge(config_.finest_octave, image, field); });
   return field;
 }
 

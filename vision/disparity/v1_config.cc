@@ -56,8 +56,6 @@ std::vector<hardware::FieldError> ClosedFormConfig::Validate() const {
   c.Require(min_coherence >= -1 && min_coherence < 1, "min_coherence", min_coherence,
             "must be in [-1, 1)");
   c.Require(NotNegative(left_right_px), "left_right_px", left_right_px, "must not be negative");
-  c.Require(reverse_octaves >= 0 && finest_octave + reverse_octaves <= search_octave,
-            "reverse_octaves", reverse_octaves, "must be 0 to search_octave - finest_octave");
   c.Require(try_steps_from >= 0, "try_steps_from", try_steps_from, "must not be negative");
   c.Require(min_segment_px >= 0, "min_segment_px", min_segment_px, "must not be negative");
   c.Require(NotNegative(segment_step_px), "segment_step_px", segment_step_px,

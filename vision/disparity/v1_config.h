@@ -28,7 +28,8 @@ enum class V1Form {
 struct ClosedFormConfig {
   // --- Simple cells ---
 
-  /// Orientations theta = i * pi / orientations. Measured: 8 gain nothing over 6.
+  /// Orientations theta = i * pi / orientations. Measured, on all three turns: 8 change density by
+  /// -0.9 to +0.7 points, the median by at most 0.002 px; 4 cost 0.6 to 0.8 points.
   int orientations = 6;
   /// Width of the filters.
   int filter_px = 9;
@@ -100,9 +101,6 @@ struct ClosedFormConfig {
   /// Largest distance between a pixel and where its match points back to [px]; 0 = no check, and
   /// half the time.
   double left_right_px = 0.8;
-  /// How many octaves coarser than the field the reverse direction stops. Each takes three quarters
-  /// off its time; a disparity half as sharp still finds what only one eye sees.
-  int reverse_octaves = 0;
   /// Smallest segment of smooth disparity that is kept [px], and the largest step inside one.
   int min_segment_px = 200;
   double segment_step_px = 1;
