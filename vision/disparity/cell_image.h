@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "vision/disparity/closed_form_kernels.h"
-#include "vision/disparity/v1_config.h"
+#include "vision/disparity/closed_form_config.h"
 
 namespace horopter::vision {
 
