@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "vision/disparity/candidate_search.h"
+#include "vision/disparity/closed_form_config.h"
 #include "vision/disparity/disparity_estimator.h"
 #include "vision/disparity/epipolar_prior.h"
-#include "vision/disparity/closed_form_config.h"
 #include "vision/disparity/view_pyramid.h"
 
 namespace horopter::vision {
