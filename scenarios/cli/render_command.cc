@@ -30,10 +30,13 @@ bool Make(const RenderRequest& request, const std::string& command, const Render
   hooks.progress = [](int done, int all) {
     if (all > 1) std::cerr << fmt::format("\rframe {} of {}", done + 1, all) << std::flush;
   };
-  if (!a.sheet.empty()) hooks.frame = [&sheet](const DatasetFrame& f) { sheet.Add(f); };
+  int frames = 0;
+  hooks.frame = [&](const DatasetFrame& f) {
+    ++frames;
+    if (!a.sheet.empty()) sheet.Add(f);
+  };
   const RenderOutput output{a.out, command, LibraryVersions()};
   const bool whole = RenderDataset(request, output, hooks);
-  const std::size_t frames = request.poses.rows.size();
   if (frames > 1) std::cerr << "\n";
   if (!sheet.picture().empty()) WritePng(a.sheet, sheet.picture());
   if (whole) {
@@ -46,6 +49,9 @@ bool Make(const RenderRequest& request, const std::string& command, const Render
 
 int Again(const RenderArguments& a) {
   const DatasetManifest before = ReadManifest(a.again);
+  if (const std::string changed = WhatChangedSince(before); !changed.empty()) {
+    std::cerr << "horopter render: " << changed << "\n";
+  }
   if (!Make(before.request, before.command, a)) return static_cast<int>(ExitCode::kInfrastructure);
   const std::string different = WhatDiffers(before, ReadManifest(a.out));
   if (different.empty()) return static_cast<int>(ExitCode::kPassed);

@@ -49,6 +49,28 @@ void AddGazeOptions(CLI::App& app, RenderArguments& a) {
       ->group(group);
 }
 
+void AddMotionOptions(CLI::App& app, RenderArguments& a) {
+  const std::string group = "Motion (the robot moves in time; its cameras run at their rate)";
+  CLI::Option* file = app.add_option("--motion", a.motion, "YAML file; see below")->group(group);
+  const auto command = [&](const char* name, std::vector<std::string>& values, const char* help) {
+    app.add_option(name, values, help)->allow_extra_args(false)->excludes(file)->group(group);
+  };
+  command("--saccade", a.saccades,
+          "NAME=DEG,...[@SECONDS]: pan, tilt and vergence, or axes as left_pan, as fast as the "
+          "head can; again for more");
+  command("--walk", a.walks, "X,Y,TURN[@SECONDS]: the NAO walks to there [m, deg]");
+  command("--drive", a.drives, "SPEED,TURN[@SECONDS]: the Koala drives [m/s, deg/s]");
+  app.add_option("--duration", a.duration_s, "How long the cameras run [s] [1]")
+      ->excludes(file)
+      ->group(group);
+  app.add_option("--rate", a.rate_hz, "Frames a second [the profile's, or 25 where it has none]")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->group(group);
+  for (const char* name : {"--motion", "--saccade", "--walk", "--drive", "--duration", "--rate"}) {
+    app.get_option(name)->excludes(app.get_option("--poses"))->excludes(app.get_option("--random"));
+  }
+}
+
 void AddRoomOptions(CLI::App& app, RenderArguments& a) {
   CLI::Option* obstacles =
       app.add_option("--obstacles", a.obstacles,
@@ -137,12 +159,25 @@ std::string Footer() {
          "A_to_B_disparity.flo\nlies on A's. left_flow_previous_to_this.flo lies on the pixels of "
          "the frame before. Normals are in the\noptical frame of their camera. manifest.json says "
          "all conventions.\n"
+         "\nA motion begins where --pan and the like say. Its file:\n"
+         "  duration_s: 6\n"
+         "  commands:\n"
+         "    - saccade: {at_s: 0.5, pan_deg: 20, tilt_deg: -5}  # or axes: neck_pan_deg, ...\n"
+         "    - walk_to: {at_s: 1, x_m: 0.3, turn_deg: 20}       # NAO, from where it stands then\n"
+         "    - walk: {at_s: 5, forward_m_s: 0.05}               # NAO, until told otherwise\n"
+         "    - drive: {forward_m_s: 0.2, turn_deg_s: 10}        # Koala, until told otherwise\n"
+         "trajectory.csv has base and head at every physics step, capture.csv the times of every "
+         "image.\n"
          "\nExamples:\n"
          "  horopter render koala/room.xml --pan 10 --vergence 4 --truth --out pair\n"
          "  horopter render yorick/tabletop.xml --seed 3 --clutter 4 --random 20 --truth --out "
          "set\n"
          "  horopter render nao/workspace.xml --poses board.csv --profile lifecam_vx6000 --out "
          "set\n"
+         "  horopter render yorick/tabletop.xml --tilt 20 --saccade pan=25,tilt=20@0.1 --duration "
+         "0.4 --profile sony_xc999 --out set\n"
+         "  horopter render nao/workspace.xml --walk 0.3,0,20 --duration 6 --profile webcam_vga "
+         "--out set\n"
          "  horopter render --again set/manifest.json --out same";
 }
 
@@ -165,6 +200,7 @@ void AddRenderOptions(CLI::App& app, RenderArguments& a) {
       ->needs(truth);
   app.add_option("--sheet", a.sheet, "Also one PNG of the first frames, for people");
   AddGazeOptions(app, a);
+  AddMotionOptions(app, a);
   app.add_option("--seed", a.seed, "Vary the scene, and draw gazes and noise, by this number")
       ->group("Scene");
   AddRoomOptions(app, a);

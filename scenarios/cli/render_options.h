@@ -31,6 +31,13 @@ struct RenderArguments {
   int random = 0;
   std::vector<std::string> bodies;  ///< "NAME=X,Y,Z[,YAW,PITCH,ROLL]"
 
+  std::string motion;                 ///< YAML file
+  std::vector<std::string> saccades;  ///< "NAME=DEG,...[@SECONDS]"
+  std::vector<std::string> walks;     ///< "X,Y,TURN[@SECONDS]"
+  std::vector<std::string> drives;    ///< "SPEED,TURN[@SECONDS]"
+  std::optional<double> duration_s;
+  std::optional<double> rate_hz;
+
   std::optional<std::uint64_t> seed;
   std::string obstacles;  ///< "N" or "MIN:MAX"
   std::string goal;       ///< "X,Y"

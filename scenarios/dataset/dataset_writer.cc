@@ -76,6 +76,10 @@ Json Conventions() {
       {"seed", "null = the scene as it is written down"}};
 }
 
+Json HashesOf(const SceneHashes& scene) {
+  return {{"mjcf", scene.mjcf}, {"textures", scene.textures}, {"files", scene.files}};
+}
+
 std::string IndexHeader() {
   std::string header = "frame,folder,t_s";
   for (const std::string_view axis : hardware::kHeadAxisNames) {
@@ -161,6 +165,7 @@ void DatasetWriter::WriteManifest(bool complete) const {
                    {"format_version", 2},
                    {"complete", complete},
                    {"scene", info_.scene},
+                   {"scene_sha256", HashesOf(info_.scene_sha256)},
                    {"robot", info_.robot},
                    {"seed", info_.seed ? Json(*info_.seed) : Json(nullptr)},
                    {"command", info_.command},

@@ -53,6 +53,13 @@ struct DatasetFrame {
   std::optional<sim::WorldState> state;
 };
 
+/// SHA-256 of what a scene is made of.
+struct SceneHashes {
+  std::string mjcf;                          ///< its text, includes resolved
+  std::string textures;                      ///< their pixels, as they were drawn
+  std::map<std::string, std::string> files;  ///< by path below the scenes folder
+};
+
 /// What is said of the data set as a whole.
 struct DatasetInfo {
   std::string scene;                  ///< below the scenes folder
@@ -65,6 +72,7 @@ struct DatasetInfo {
   std::string request;  ///< JSON of what was asked for, defaults filled in; empty: not said
   /// Parts of the camera's profile that the images do not show, each with the reason.
   std::map<std::string, std::string> left_out_of_profile;
+  SceneHashes scene_sha256;
 };
 
 struct DatasetOptions {

@@ -2,11 +2,13 @@
 #include "scenarios/render/manifest.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include "scenarios/dataset/format_error.h"
 #include "scenarios/format/read_text.h"
+#include "scenarios/render/scene_files.h"
 
 namespace horopter::scenarios {
 
@@ -24,11 +26,26 @@ DatasetManifest ReadManifest(const std::filesystem::path& path) {
     json.at("gl_renderer").get_to(manifest.gl_renderer);
     json.at("versions").get_to(manifest.versions);
     json.at("images").get_to(manifest.images);
+    if (json.contains("scene_sha256")) {
+      const auto& scene = json.at("scene_sha256");
+      scene.at("mjcf").get_to(manifest.scene_sha256.mjcf);
+      scene.at("textures").get_to(manifest.scene_sha256.textures);
+      scene.at("files").get_to(manifest.scene_sha256.files);
+    }
     manifest.request = DecodeRequest(json.at("request").dump(), manifest.name + ": request");
   } catch (const nlohmann::json::exception& error) {
     throw FormatError(manifest.name + ": is no manifest of a data set: " + error.what());
   }
   return manifest;
+}
+
+std::string WhatChangedSince(const DatasetManifest& before) {
+  const auto& files = before.scene_sha256.files;
+  if (files.empty()) return "";
+  const auto changed = ChangedFiles(files, HashSceneFiles(before.request));
+  if (changed.empty()) return "";
+  return fmt::format("the scene has changed since {} was made: {}", before.name,
+                     fmt::join(changed, ", "));
 }
 
 std::string WhatDiffers(const DatasetManifest& before, const DatasetManifest& again) {
@@ -43,6 +60,12 @@ std::string WhatDiffers(const DatasetManifest& before, const DatasetManifest& ag
   if (before.gl_renderer != again.gl_renderer) {
     what += fmt::format("; GL was '{}', is '{}'", before.gl_renderer, again.gl_renderer);
   }
+  const SceneHashes &was = before.scene_sha256, &is = again.scene_sha256;
+  if (!was.mjcf.empty() && was.mjcf != is.mjcf) {
+    what += fmt::format("; the scene is another: {}",
+                        fmt::join(ChangedFiles(was.files, is.files), ", "));
+  }
+  if (!was.textures.empty() && was.textures != is.textures) what += "; its textures are others";
   for (const auto& [library, version] : before.versions) {
     const auto found = again.versions.find(library);
     const std::string now = found == again.versions.end() ? "not there" : found->second;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/dataset/dataset_writer.h"
 #include "scenarios/render/render_request.h"
 
 namespace horopter::scenarios {
@@ -17,6 +18,7 @@ struct DatasetManifest {
   std::string command;
   std::string gl_renderer;
   std::map<std::string, std::string> versions;
+  SceneHashes scene_sha256;                   ///< empty in sets of versions that did not say it
   std::map<std::string, std::string> images;  ///< SHA-256 by relative path
 };
 
@@ -24,6 +26,10 @@ struct DatasetManifest {
 /// @throws FormatError when it is no manifest with a request; ScenarioError when the request does
 ///         not hold, or the file cannot be read
 DatasetManifest ReadManifest(const std::filesystem::path& path);
+
+/// Which files of the scene are not as they were when the data set was made; empty when all are, or
+/// when the manifest does not say.
+std::string WhatChangedSince(const DatasetManifest& before);
 
 /// Why a data set made again is not the one before: how many of its images differ or are missing,
 /// and what else is different about its making. Empty when all images are the same.

@@ -27,12 +27,19 @@ struct RenderHooks {
   std::function<void(const DatasetFrame&)> frame = [](const DatasetFrame&) {};
 };
 
-/// Renders and writes the frames; both eyes, and all pairs, show one instant. Besides what
-/// DatasetWriter writes there is a PNG for each of the request's views, and of a generated room
-/// room.json (what stands where) and room.xml (the scene). What is wrong with the request is said
-/// before anything is written.
+/// Renders and writes the frames. Still views: both eyes, and all pairs, show one instant, and time
+/// stands still. A motion: a frame for each that the cameras deliver (Film), truth of the instant
+/// each image was taken at, state tables with or without truth, and two tables for the whole set:
+///
+///   capture.csv      a row per frame and pair: the cameras' own number, when either eye's image
+///                    was taken (the middle of its exposure) and when the pair came
+///   trajectory.csv   a row per physics step: StateLog
+///
+/// Besides what DatasetWriter writes there is a PNG for each of the request's views, at the start,
+/// and of a generated room room.json (what stands where) and room.xml (the scene). What is wrong
+/// with the request is said before anything is written.
 /// @return whether it ran to its end
-/// @throws SceneError, sim::RenderError, hardware::ConfigError, ResultsError
+/// @throws SceneError, sim::RenderError, sim::PhysicsError, hardware::ConfigError, ResultsError
 bool RenderDataset(const RenderRequest& request, const RenderOutput& output,
                    const RenderHooks& hooks = {});
 

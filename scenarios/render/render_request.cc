@@ -58,6 +58,7 @@ void Visit(FieldVisitor& v, RenderRequest& r) {
   v.TextList({"truth_between", "", "Other pairs of cameras with disparity, FROM:TO."}, {},
              r.between);
   v.TextList({"views", "", "The scene by its own cameras."}, {}, r.views);
+  v.Optional(SectionOf("motion", "What the robot does while its cameras run.", r.motion));
 }
 
 FieldTable TableOf(RenderRequest& request) {

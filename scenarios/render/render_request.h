@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenarios/format/scenario.h"
+#include "scenarios/render/motion.h"
 #include "scenarios/render/pose_table.h"
 
 namespace horopter::scenarios {
@@ -34,8 +35,8 @@ struct GeneratedRoom {
 };
 
 /// Everything that decides the bytes of a data set, in a user's words: a scene, a robot in it, its
-/// cameras, and where it looks in every frame. A manifest holds it, so that the set can be made
-/// again.
+/// cameras, and where it looks in every frame, or what it does meanwhile. A manifest holds it, so
+/// that the set can be made again.
 struct RenderRequest {
   /// Stands for the cameras' native size; outside every range.
   static constexpr int kNative = -1;
@@ -57,7 +58,9 @@ struct RenderRequest {
   /// image files are: PAIR_left, or left where one pair is rendered.
   std::vector<std::string> between;
   std::vector<std::string> views;  ///< cameras of the scene that show it as a whole, once
-  PoseTable poses;                 ///< a frame each
+  PoseTable poses;                 ///< a frame each; with a motion one row, where it starts
+  /// The robot moves in time, and its cameras run at their profile's rate. None: still views.
+  std::optional<Motion> motion;
 };
 
 /// The request as JSON; its camera has the keys of a scenario's `camera:`.

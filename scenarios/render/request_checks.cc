@@ -160,6 +160,30 @@ void CheckBodies(const RenderRequest& request, const SceneContents& contents) {
   }
 }
 
+/// Two pairs may be the same cameras with other lenses: a robot has one of them on at a time.
+bool SharesCameras(const CameraPairDescription& a, const CameraPairDescription& b) {
+  return a.left == b.left || a.right == b.right;
+}
+
+void CheckFilm(const RenderRequest& request, const RobotDescription& robot) {
+  CheckMotion(*request.motion, robot);
+  if (request.poses.rows.size() != 1) {
+    Refuse("motion", fmt::format("{} poses", request.poses.rows.size()),
+           "begins at one pose: give one");
+  }
+  if (request.camera.profile.timing.rate_hz <= 0) {
+    Refuse("motion", "camera.timing.rate_hz = 0", "needs cameras with a rate: give one");
+  }
+  const auto names = PairNames(request, robot);
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!SharesCameras(robot.Cameras(names[i]), robot.Cameras(names[j]))) continue;
+      Refuse("--camera", names[i],
+             "are the same cameras as " + names[j] + " with other lenses: film with one of them");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<SceneListing> ListScenes() {
@@ -204,12 +228,18 @@ void CheckRequest(const RenderRequest& request, const RobotDescription& robot) {
   }
   CheckBetween(request, robot);
   CheckBodies(request, contents);
+  if (request.motion) CheckFilm(request, robot);
 }
 
 std::vector<std::string> PairNames(const RenderRequest& request, const RobotDescription& robot) {
   if (!request.pairs.empty()) return request.pairs;
   std::vector<std::string> names;
-  for (const auto& [name, pair] : robot.cameras) names.push_back(name);
+  for (const auto& [name, pair] : robot.cameras) {
+    const bool taken = std::any_of(names.begin(), names.end(), [&](const std::string& other) {
+      return SharesCameras(pair, robot.Cameras(other));
+    });
+    if (!request.motion || !taken) names.push_back(name);
+  }
   return names;
 }
 

@@ -29,7 +29,8 @@ void CheckScene(const RenderRequest& request);
 /// @throws hardware::ConfigError naming the first option that does not apply, and what would
 void CheckRequest(const RenderRequest& request, const RobotDescription& robot);
 
-/// Names of the pairs to be rendered: those asked for, or all.
+/// Names of the pairs to be rendered: those asked for, or all; in a motion all that are not the
+/// cameras of one before with another lens.
 std::vector<std::string> PairNames(const RenderRequest& request, const RobotDescription& robot);
 
 /// A camera as the request and the files name it: PAIR_left, or left where it is the only pair.

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
+#include "scenarios/render/camera_models.h"
 #include "scenarios/render/request_checks.h"
 #include "sim/head/pose_head.h"
 
@@ -17,24 +17,6 @@ using hardware::Eye;
 constexpr double kRadians = M_PI / 180;
 const cv::Size kViewSize{960, 720};
 
-hardware::CameraModel ModelOf(const CameraSpec& asked, const CameraPairDescription& native) {
-  const bool own = asked.width == RenderRequest::kNative;
-  const double fov_deg =
-      asked.horizontal_fov_deg == kRobotsOwn ? native.horizontal_fov_deg : asked.horizontal_fov_deg;
-  return asked.profile.lens.Model(own ? native.width_px : asked.width,
-                                  own ? native.height_px : asked.height, fov_deg * kRadians);
-}
-
-/// The eye whose image has this name. @pre there is one
-const DatasetEye& EyeNamed(const DatasetFrame& frame, const std::string& stem) {
-  for (const DatasetPair& pair : frame.pairs) {
-    const std::string prefix = pair.name.empty() ? "" : pair.name + "_";
-    if (stem == prefix + "left") return pair.left;
-    if (stem == prefix + "right") return pair.right;
-  }
-  throw std::logic_error("no camera " + stem);
-}
-
 }  // namespace
 
 Stage::Stage(const RenderRequest& request, const RobotDescription& robot, Scenery& scenery)
@@ -43,7 +25,7 @@ Stage::Stage(const RenderRequest& request, const RobotDescription& robot, Scener
       world_(*scenery.world),
       pairs_(MakePairs(request, robot)),
       renderer_(world_, OptionsFor(request, pairs_)) {
-  if (request.truth) shapes_ = std::make_shared<const sim::SceneShapes>(world_.model());
+  if (request.truth) truth_.emplace(request, world_.model());
 }
 
 std::vector<Stage::Pair> Stage::MakePairs(const RenderRequest& request,
@@ -52,7 +34,7 @@ std::vector<Stage::Pair> Stage::MakePairs(const RenderRequest& request,
   const auto names = PairNames(request, robot);
   for (const std::string& name : names) {
     const CameraPairDescription& description = robot.Cameras(name);
-    const hardware::CameraModel model = ModelOf(request.camera, description);
+    const hardware::CameraModel model = CameraModelOf(request.camera, description);
     Pair pair{names.size() > 1 ? name : "", {description.left, description.right}, {}};
     for (const Eye eye : hardware::kBothEyes) {
       pair.camera[eye] = std::make_unique<sim::EyeCamera>(
@@ -87,7 +69,11 @@ DatasetFrame Stage::See(const PosedView& view) {
   PlaceBodies(scenery_, view.bodies);
   sim::PoseHead(world_, frame.head);
   for (Pair& pair : pairs_) frame.pairs.push_back(Photograph(pair));
-  if (request_.truth) AddTruth(frame);
+  if (truth_) {
+    frame.state = sim::ReadWorldState(world_);
+    const FrameTruth::Scene now = truth_->SceneOf(world_.data());
+    truth_->Add({pairs_.size(), {now, now}}, frame);
+  }
   ++count_;
   return frame;
 }
@@ -117,41 +103,6 @@ DatasetPair Stage::Photograph(Pair& pair) {
     return DatasetEye{view, std::move(bgr), {}, {}, {}};
   };
   return {pair.name, develop(Eye::kLeft), develop(Eye::kRight)};
-}
-
-void Stage::AddTruth(DatasetFrame& frame) {
-  const sim::SceneSnapshot now(shapes_, world_.data());
-  frame.state = sim::ReadWorldState(world_);
-  for (DatasetPair& pair : frame.pairs) {
-    pair.left.truth = sim::CaptureEyeTruth(now, pair.left.view);
-    pair.right.truth = sim::CaptureEyeTruth(now, pair.right.view);
-    pair.left.to_other_eye = sim::TrueDisparity(now, *pair.left.truth, pair.right.view);
-    pair.right.to_other_eye = sim::TrueDisparity(now, *pair.right.truth, pair.left.view);
-    AddFlow(now, pair);
-  }
-  AddBetween(now, frame);
-  then_ = now;
-}
-
-void Stage::AddFlow(const sim::SceneSnapshot& now, DatasetPair& pair) {
-  const auto before = previous_.find(pair.name);
-  if (before != previous_.end()) {
-    pair.left.flow_from_previous = sim::TrueFlow(*then_, before->second.left, now, pair.left.view);
-    pair.right.flow_from_previous =
-        sim::TrueFlow(*then_, before->second.right, now, pair.right.view);
-  }
-  previous_.insert_or_assign(pair.name, Seen{*pair.left.truth, *pair.right.truth});
-}
-
-void Stage::AddBetween(const sim::SceneSnapshot& now, DatasetFrame& frame) const {
-  for (const std::string& asked : request_.between) {
-    const std::size_t colon = asked.find(':');
-    const std::string one = asked.substr(0, colon), other = asked.substr(colon + 1);
-    const DatasetEye& first = EyeNamed(frame, one);
-    const DatasetEye& second = EyeNamed(frame, other);
-    frame.between.push_back({one, other, sim::TrueDisparity(now, *first.truth, second.view)});
-    frame.between.push_back({other, one, sim::TrueDisparity(now, *second.truth, first.view)});
-  }
 }
 
 }  // namespace horopter::scenarios

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "scenarios/dataset/dataset_writer.h"
 #include "scenarios/format/robot_description.h"
+#include "scenarios/render/frame_truth.h"
 #include "scenarios/render/render_request.h"
 #include "scenarios/render/scene_setup.h"
 #include "sim/camera/eye_camera.h"
@@ -40,28 +40,17 @@ class Stage {
     hardware::PerEye<std::string> mjcf_camera;
     hardware::PerEye<std::unique_ptr<sim::EyeCamera>> camera;
   };
-  /// What a pair saw in the frame before.
-  struct Seen {
-    sim::EyeTruth left;
-    sim::EyeTruth right;
-  };
-
   static std::vector<Pair> MakePairs(const RenderRequest& request, const RobotDescription& robot);
   static sim::RendererOptions OptionsFor(const RenderRequest& request,
                                          const std::vector<Pair>& pairs);
   DatasetPair Photograph(Pair& pair);
-  void AddTruth(DatasetFrame& frame);
-  void AddFlow(const sim::SceneSnapshot& now, DatasetPair& pair);
-  void AddBetween(const sim::SceneSnapshot& now, DatasetFrame& frame) const;
 
   const RenderRequest& request_;
   Scenery& scenery_;
   sim::World& world_;
   std::vector<Pair> pairs_;
   sim::Renderer renderer_;
-  std::shared_ptr<const sim::SceneShapes> shapes_;  ///< shared with every snapshot
-  std::optional<sim::SceneSnapshot> then_;
-  std::map<std::string, Seen> previous_;  ///< by pair
+  std::optional<FrameTruth> truth_;  ///< when it is asked for
   int count_ = 0;
 };
 

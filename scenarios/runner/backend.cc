@@ -6,6 +6,7 @@
 
 #include "scenarios/format/scenes.h"
 #include "scenarios/runner/fault_config.h"
+#include "scenarios/runner/koala_plant_config.h"
 #include "scenarios/runner/koala_truth.h"
 #include "scenarios/runner/room_setup.h"
 #include "sim/backend/koala_simulation.h"
@@ -50,11 +51,7 @@ sim::KoalaSimulationConfig ConfigOf(const Scenario& scenario, const RobotDescrip
                  FaultsOf(scenario.faults)};
   const WheelsDescription& wheels = robot.wheels.value();
   config.base = wheels.properties;
-  config.plant.metres_per_pulse = wheels.properties.metres_per_pulse;
-  config.plant.pulses_per_turn = wheels.pulses_per_turn;
-  config.plant.max_wheel_speed_m_s = wheels.properties.max_wheel_speed_m_s;
-  config.plant.max_wheel_acceleration_m_s2 = wheels.max_acceleration_m_s2;
-  config.plant.deadman = hardware::FromSeconds(wheels.deadman_s);
+  config.plant = KoalaPlantConfigOf(wheels);
   return config;
 }
 

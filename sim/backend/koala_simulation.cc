@@ -18,9 +18,11 @@ using hardware::Result;
 /// Long enough for the wheels to take up the robot's weight and for the body to stop swinging.
 constexpr Duration kSettleTime = std::chrono::milliseconds(400);
 
-std::unique_ptr<World> LoadScene(const KoalaSimulationConfig& config) {
-  return config.scene_text.empty() ? std::make_unique<World>(config.scene)
-                                   : World::FromXml(config.scene_text);
+std::unique_ptr<World> FurnishedWorld(const KoalaSimulationConfig& config) {
+  auto world = config.scene_text.empty() ? std::make_unique<World>(config.scene)
+                                         : World::FromXml(config.scene_text);
+  Vary(*world, config.variation, config.seed);
+  return world;
 }
 
 }  // namespace
@@ -56,8 +58,11 @@ class KoalaSimulation::SimBase final : public SimDevice<hardware::MobileBase> {
 };
 
 KoalaSimulation::KoalaSimulation(const KoalaSimulationConfig& config, hardware::StageTimes& times)
-    : config_(config), world_(LoadScene(config)) {
-  Vary(*world_, config.variation, config.seed);
+    : KoalaSimulation(FurnishedWorld(config), config, times) {}
+
+KoalaSimulation::KoalaSimulation(std::unique_ptr<World> world, const KoalaSimulationConfig& config,
+                                 hardware::StageTimes& times)
+    : config_(config), world_(std::move(world)) {
   config_.head.time_zero = kSettleTime;
   head_ = std::make_unique<VirtualHead>(*world_, config_.head);
   plant_ = std::make_unique<KoalaPlant>(*world_, config.plant);
@@ -70,6 +75,7 @@ KoalaSimulation::KoalaSimulation(const KoalaSimulationConfig& config, hardware::
   const cv::Size render_size = cameras.RenderSize();
   RendererOptions options;
   options.gl_backend = config.gl_backend;
+  options.supersample = config.supersample;
   options.width = render_size.width;
   options.height = render_size.height;
   renderer_ = std::make_unique<Renderer>(*world_, options);

@@ -42,6 +42,7 @@ struct KoalaSimulationConfig {
   KoalaPlantConfig plant;
   hardware::BaseProperties base;  ///< what the base says of itself
   std::string gl_backend = "osmesa";
+  bool supersample = false;  ///< RendererOptions::supersample
 };
 
 /// The Koala in MuJoCo behind the hardware interfaces, in lockstep: the clock's SleepUntil() is
@@ -54,6 +55,10 @@ class KoalaSimulation {
   /// @param times books "physics", "render", "read_back" and "sensor"; outlives the simulation
   /// @throws SceneError, hardware::ConfigError, RenderError
   KoalaSimulation(const KoalaSimulationConfig& config, hardware::StageTimes& times);
+  /// The same in a world that is furnished already: of the config, scene and variation do not
+  /// count. The head starts where its joints are.
+  KoalaSimulation(std::unique_ptr<World> world, const KoalaSimulationConfig& config,
+                  hardware::StageTimes& times);
   ~KoalaSimulation();
 
   hardware::Clock& clock();

@@ -12,11 +12,20 @@ namespace {
 /// Long enough for the legs to take up the robot's weight and for the body to stop swinging.
 constexpr hardware::Duration kSettleTime = std::chrono::milliseconds(600);
 
+std::unique_ptr<World> FurnishedWorld(const NaoSimulationConfig& config) {
+  auto world = std::make_unique<World>(config.scene);
+  Vary(*world, config.variation, config.seed);
+  return world;
+}
+
 }  // namespace
 
 NaoSimulation::NaoSimulation(const NaoSimulationConfig& config, hardware::StageTimes& times)
-    : config_(config), world_(std::make_unique<World>(config.scene)) {
-  Vary(*world_, config.variation, config.seed);
+    : NaoSimulation(FurnishedWorld(config), config, times) {}
+
+NaoSimulation::NaoSimulation(std::unique_ptr<World> world, const NaoSimulationConfig& config,
+                             hardware::StageTimes& times)
+    : config_(config), world_(std::move(world)) {
   MakeRobot();
   for (const auto& [body, X_OBody] : config.X_OBody) world_->PlaceBody(body, X_WO_ * X_OBody);
   MakeDevices(times);
@@ -40,6 +49,7 @@ void NaoSimulation::MakeDevices(hardware::StageTimes& times) {
   const cv::Size render_size = cameras.RenderSize();
   RendererOptions options;
   options.gl_backend = config_.gl_backend;
+  options.supersample = config_.supersample;
   options.width = render_size.width;
   options.height = render_size.height;
   renderer_ = std::make_unique<Renderer>(*world_, options);
@@ -62,6 +72,10 @@ void NaoSimulation::Step() {
 RenderedView NaoSimulation::RenderTruth(Eye eye) {
   return renderer_->Render(world_->X_WCamera(CameraName(eye)), config_.camera,
                            {.rgb = false, .depth = true, .ids = true});
+}
+
+void NaoSimulation::AtCapture(Eye eye, const std::function<void()>& look) {
+  camera_device_->AtCapture(eye, look);
 }
 
 }  // namespace horopter::sim

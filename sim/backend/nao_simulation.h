@@ -52,6 +52,7 @@ struct NaoSimulationConfig {
   VirtualHeadConfig head = NaoVirtualHead();
   NaoGaitConfig gait;
   std::string gl_backend = "osmesa";
+  bool supersample = false;  ///< RendererOptions::supersample
 };
 
 /// NAO in MuJoCo behind the hardware interfaces, in lockstep: the clock's SleepUntil() is what
@@ -65,6 +66,10 @@ class NaoSimulation {
   /// @param times books "physics", "render", "read_back" and "sensor"; outlives the simulation
   /// @throws SceneError, hardware::ConfigError, RenderError
   NaoSimulation(const NaoSimulationConfig& config, hardware::StageTimes& times);
+  /// The same in a world that is furnished already: of the config, scene and variation do not
+  /// count. The head starts where its joints are.
+  NaoSimulation(std::unique_ptr<World> world, const NaoSimulationConfig& config,
+                hardware::StageTimes& times);
   ~NaoSimulation();
 
   hardware::Clock& clock() { return *clock_device_; }
@@ -83,6 +88,10 @@ class NaoSimulation {
 
   /// What one eye would see now without noise: depth and ids.
   RenderedView RenderTruth(hardware::Eye eye);
+
+  /// Runs `look` with the world as it was when an eye's newest grabbed image was taken (before the
+  /// first Grab(): as it is). The same as now unless the profile has latency, a shutter or skew.
+  void AtCapture(hardware::Eye eye, const std::function<void()>& look);
 
   const hardware::Pose& X_WO() const { return X_WO_; }
 

@@ -14,7 +14,13 @@ YorickSimulation::YorickSimulation(const YorickSimulationConfig& config,
                                    hardware::StageTimes& times)
     : config_(config), world_(std::make_unique<World>(config.scene)) {
   Furnish();
-  head_ = std::make_unique<VirtualHead>(*world_, config.head);
+  MakeDevices(times);
+}
+
+YorickSimulation::YorickSimulation(std::unique_ptr<World> world,
+                                   const YorickSimulationConfig& config,
+                                   hardware::StageTimes& times)
+    : config_(config), world_(std::move(world)) {
   MakeDevices(times);
 }
 
@@ -30,6 +36,7 @@ void YorickSimulation::Furnish() {
 }
 
 void YorickSimulation::MakeDevices(hardware::StageTimes& times) {
+  head_ = std::make_unique<VirtualHead>(*world_, config_.head);
   const auto cameras_of = [this](YorickPair pair) {
     const hardware::CameraModel& model = camera_model(pair);
     return SimCamerasConfig{
@@ -44,6 +51,7 @@ void YorickSimulation::MakeDevices(hardware::StageTimes& times) {
   const cv::Size wide = peripheral.RenderSize(), narrow = foveal.RenderSize();
   RendererOptions options;
   options.gl_backend = config_.gl_backend;
+  options.supersample = config_.supersample;
   options.width = std::max(wide.width, narrow.width);
   options.height = std::max(wide.height, narrow.height);
   renderer_ = std::make_unique<Renderer>(*world_, options);
@@ -72,6 +80,10 @@ std::string YorickSimulation::CameraName(YorickPair pair, Eye eye) {
 RenderedView YorickSimulation::RenderTruth(YorickPair pair, Eye eye) {
   return renderer_->Render(world_->X_WCamera(CameraName(pair, eye)), camera_model(pair),
                            {.rgb = false, .depth = true, .ids = true});
+}
+
+void YorickSimulation::AtCapture(YorickPair pair, Eye eye, const std::function<void()>& look) {
+  (pair == YorickPair::kPeripheral ? peripheral_device_ : foveal_device_)->AtCapture(eye, look);
 }
 
 void YorickSimulation::OnStep(std::function<void(const World&)> observer) {

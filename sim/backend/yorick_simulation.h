@@ -46,6 +46,7 @@ struct YorickSimulationConfig {
   CameraProfile profile;  ///< of all four cameras
   VirtualHeadConfig head;
   std::string gl_backend = "osmesa";
+  bool supersample = false;  ///< RendererOptions::supersample
 };
 
 /// Yorick in MuJoCo behind the hardware interfaces, in lockstep: the clock's SleepUntil() is what
@@ -57,6 +58,10 @@ class YorickSimulation {
   /// @param times books "physics", "render", "read_back" and "sensor"; outlives the simulation
   /// @throws SceneError, hardware::ConfigError, RenderError
   YorickSimulation(const YorickSimulationConfig& config, hardware::StageTimes& times);
+  /// The same in a world that is furnished already: of the config, scene, tabletop and bodies do
+  /// not count. The head starts where its joints are.
+  YorickSimulation(std::unique_ptr<World> world, const YorickSimulationConfig& config,
+                   hardware::StageTimes& times);
   ~YorickSimulation();
 
   hardware::Clock& clock();
@@ -76,6 +81,11 @@ class YorickSimulation {
 
   /// What one eye of a pair would see now without noise: depth and ids.
   RenderedView RenderTruth(YorickPair pair, hardware::Eye eye);
+
+  /// Runs `look` with the world as it was when an eye of a pair took its newest
+  /// grabbed image (before the first Grab(): as it is). The same as now unless the profile has
+  /// latency, a shutter or skew.
+  void AtCapture(YorickPair pair, hardware::Eye eye, const std::function<void()>& look);
 
   /// Called after every physics step.
   void OnStep(std::function<void(const World&)> observer);
