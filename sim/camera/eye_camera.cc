@@ -43,6 +43,17 @@ EyeMotion FastestTurn(const Eigen::Vector3d& axis, double window_s) {
   return motion;
 }
 
+/// The view's pixels in one of the image, along a side. A lens that is coarser off its axis than on
+/// it would need most of them where it shows least: they may be as many as the image's, as long as
+/// its blur leaves no more than kHiddenContrast of what is too fine for the view.
+double ViewScale(const LensMap& map, double blur_px) {
+  constexpr double kHiddenContrast = 0.3;
+  if (blur_px == 0) return 1;
+  // A Gaussian of sigma s leaves exp(-2 (pi s f)^2) at f = scale / 2 cycles per pixel.
+  const double blurred = std::sqrt(-2 * std::log(kHiddenContrast)) / (M_PI * blur_px);
+  return std::min(1.0, std::max(blurred, 1 / std::sqrt(map.PixelsPerPixel())));
+}
+
 /// No view is larger, whatever the lens: what GL renders at most.
 constexpr int kNoLimit = 8192;
 
@@ -55,18 +66,18 @@ EyeCamera::EyeCamera(const CameraModel& model, const CameraProfile& profile, std
       blur_px_(profile.lens.blur_px),
       sensor_(profile, model, seed, name),
       distorts_(!IsPinhole(model)),
-      lens_(model, exposure_) {
+      lens_(model, exposure_),
+      view_scale_(distorts_ ? ViewScale(lens_.map(), blur_px_) : 1) {
   TanBounds widest = lens_.map().bounds();
   still_view_ =
-      distorts_ ? CoveringPinhole(model, lens_.Bounds(lens_.AllRows(), {}), {kNoLimit, kNoLimit})
-                : model;
+      distorts_ ? CoveringPinhole(model, widest, {kNoLimit, kNoLimit}, view_scale_) : model;
   largest_view_ = {still_view_->width(), still_view_->height()};
   if (exposure_.window_s() == 0) return;
   for (const Eigen::Vector3d& axis : {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, -1, 0),
                                       Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0)}) {
     widest.Include(lens_.Bounds(lens_.AllRows(), FastestTurn(axis, exposure_.window_s())));
   }
-  const CameraModel covering = CoveringPinhole(model, widest, {kNoLimit, kNoLimit});
+  const CameraModel covering = CoveringPinhole(model, widest, {kNoLimit, kNoLimit}, view_scale_);
   largest_view_ = {covering.width(), covering.height()};
 }
 
@@ -103,8 +114,10 @@ std::vector<ViewPlan> EyeCamera::Views(const EyeMotion& motion) const {
   std::vector<ViewPlan> plans;
   for (const Band& band : Bands(rows_apart_px)) {
     const EyeMotion seen = motion.SeenFrom(motion.PoseAt(band.t_s));
-    plans.push_back({band.rows, band.t_s,
-                     CoveringPinhole(model_, lens_.Bounds(band.rows, seen), largest_view_), moves});
+    plans.push_back(
+        {band.rows, band.t_s,
+         CoveringPinhole(model_, lens_.Bounds(band.rows, seen), largest_view_, view_scale_),
+         moves});
   }
   return plans;
 }

@@ -47,7 +47,9 @@ struct Reach {
 }  // namespace
 
 LensMap::LensMap(const CameraModel& camera)
-    : camera_(camera), x_(camera.height(), camera.width()), y_(camera.height(), camera.width()) {
+    : camera_(camera),
+      x_(camera.height(), static_cast<int>(BilinearRow::RoundedUp(camera.width()))),
+      y_(x_.size()) {
   const Intrinsics& in = camera.intrinsics();
   std::atomic<int> bad_pixel{-1};
   cv::parallel_for_(cv::Range(0, in.height), [&](const cv::Range& rows) {
@@ -80,9 +82,24 @@ LensMap::LensMap(const CameraModel& camera)
   bounds_.low.y() = low, bounds_.high.y() = high;
 }
 
-CameraModel CoveringPinhole(const CameraModel& camera, const TanBounds& bounds, cv::Size largest) {
-  const Intrinsics& in = camera.intrinsics();
+double LensMap::PixelsPerPixel() const {
+  const Intrinsics& in = camera_.intrinsics();
   const double f = std::max(in.fx, in.fy);
+  double area = 0;  // of the quadrangles between pixels, on the plane z = 1
+  for (int y = 0; y + 1 < in.height; ++y) {
+    for (int x = 0; x + 1 < in.width; ++x) {
+      const Eigen::Vector2d along = (Ray(y + 1, x + 1) - Ray(y, x)).head<2>().cast<double>();
+      const Eigen::Vector2d across = (Ray(y + 1, x) - Ray(y, x + 1)).head<2>().cast<double>();
+      area += std::abs(along.x() * across.y() - along.y() * across.x()) / 2;
+    }
+  }
+  return f * f * area / std::max(1, (in.width - 1) * (in.height - 1));
+}
+
+CameraModel CoveringPinhole(const CameraModel& camera, const TanBounds& bounds, cv::Size largest,
+                            double scale) {
+  const Intrinsics& in = camera.intrinsics();
+  const double f = scale * std::max(in.fx, in.fy);
   const Reach across(bounds.low.x(), bounds.high.x(), f, in.cx);
   const Reach down(bounds.low.y(), bounds.high.y(), f, in.cy);
   if (across.size() <= largest.width && down.size() <= largest.height) {

@@ -39,6 +39,9 @@ class LensMap {
     return {x_(row, column), y_(row, column), 1.0F};
   }
   const TanBounds& bounds() const { return bounds_; }
+  /// Pixels of a pinhole image with the camera's larger focal length that one pixel takes up, in
+  /// the mean: above 1 where the lens is coarser off its axis.
+  double PixelsPerPixel() const;
 
  private:
   hardware::CameraModel camera_;
@@ -48,10 +51,10 @@ class LensMap {
 };
 
 /// The camera from whose image another's is resampled: square pixels, no distortion, and all of
-/// `bounds` at least one pixel inside the image. Its focal length is the larger one of `camera`,
-/// and its pixels lie on those of `camera` where the lens distorts nothing; when that needs more
-/// than `largest`, it is shorter, and the image softer.
+/// `bounds` at least one pixel inside the image. Its focal length is the larger one of `camera`
+/// times `scale`, and at a scale of 1 its pixels lie on those of `camera` where the lens distorts
+/// nothing; when that needs more than `largest`, it is shorter, and the image softer.
 hardware::CameraModel CoveringPinhole(const hardware::CameraModel& camera, const TanBounds& bounds,
-                                      cv::Size largest);
+                                      cv::Size largest, double scale = 1);
 
 }  // namespace horopter::sim

@@ -158,12 +158,19 @@ void LensResampler::Resample(const ViewPlan& plan, const LensView& view, const E
       Eigen::Matrix3d to_level = K;  // the comb's copies go from a place on; we want them around it
       to_level.row(0) -= comb_.Extent(sums.level).x() / 2 * Eigen::RowVector3d::UnitZ();
       to_level.row(1) -= comb_.Extent(sums.level).y() / 2 * Eigen::RowVector3d::UnitZ();
+      const auto places = [&](double part_of) -> BilinearRow::Places {
+        const EyePlace at = seen.At(exposure_.Middle(y) + part_of * exposure_.time_s());
+        return {(to_level * at.R_MC).cast<float>(), map_.x(y), map_.y(y),
+                (to_level * at.p_MC).cast<float>(), row.w};
+      };
+      const cv::Mat3b& source = comb_.image(sums.level);
+      if (sums.instants == 1) {
+        sampler.Sample(source, places(0), image.cols, image.ptr<std::uint8_t>(y));
+        continue;
+      }
       sampler.Start(image.cols);
       for (int i = 0; i < sums.instants; ++i) {
-        const double part_of = sums.share * ((i + 0.5) / sums.instants - 0.5);
-        const EyePlace at = seen.At(exposure_.Middle(y) + part_of * exposure_.time_s());
-        sampler.Add(comb_.image(sums.level), (to_level * at.R_MC).cast<float>(),
-                    (to_level * at.p_MC).cast<float>(), map_.x(y), map_.y(y), row.w);
+        sampler.Add(source, places(sums.share * ((i + 0.5) / sums.instants - 0.5)));
       }
       sampler.Store(image.ptr<std::uint8_t>(y));
     }

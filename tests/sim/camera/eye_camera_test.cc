@@ -256,6 +256,46 @@ TEST(EyeCamera, LensBlurSpreadsAPointByItsSigma) {
   EXPECT_NEAR(rise.deviation, 1.3, 0.05);
 }
 
+/// A pattern along x that is as fine as a view can show without aliasing, seen by an eye.
+double ContrastOfStripes(EyeCamera& eye, double cycles_per_px) {
+  const CameraModel view = eye.View({});
+  cv::Mat3b stripes(view.height(), view.width());
+  const double per_view_px = cycles_per_px * eye.model().intrinsics().fx / view.intrinsics().fx;
+  for (int x = 0; x < stripes.cols; ++x) {
+    const double phase = 2 * M_PI * per_view_px * (x - view.intrinsics().cx);
+    stripes.col(x).setTo(cv::Scalar::all(std::lround(127 + 120 * std::cos(phase))));
+  }
+  const cv::Mat3b image = eye.Develop(stripes, {}, 0);
+  cv::Scalar mean, deviation;  // around the middle, where the lens distorts nothing
+  cv::meanStdDev(image(cv::Rect(300, 220, 40, 40)), mean, deviation);
+  return deviation[0] * M_SQRT2 / 120;
+}
+
+TEST(EyeCamera, ABlurredBarrelLensNeedsNoMorePixelsThanItsImageButForMargins) {
+  CameraProfile blurred;
+  blurred.lens.blur_px = 0.6;
+  const CameraModel camera(kVga, {.k1 = -0.25, .k2 = 0.09});
+  EyeCamera eye(camera, blurred, 1, "left"), sharp(camera, {}, 1, "left");
+  EXPECT_EQ(sharp.View({}).intrinsics().fx, 560) << "nothing hides what a coarser view loses";
+  const CameraModel view = eye.View({});
+  EXPECT_LT(view.width() * view.height(), 1.12 * 640 * 480);
+  EXPECT_GT(sharp.View({}).width() * sharp.View({}).height(), 1.25 * 640 * 480);
+  CameraProfile clear = blurred;
+  clear.lens.blur_px = 0.52;  // hides less
+  EXPECT_GT(EyeCamera(camera, clear, 1, "left").View({}).intrinsics().fx, view.intrinsics().fx);
+}
+
+TEST(EyeCamera, ACoarserViewTakesLittleOfTheContrast) {
+  CameraProfile blurred;
+  blurred.lens.blur_px = 0.6;
+  EyeCamera ideal(CameraModel(kVga), blurred, 1, "left");
+  EyeCamera barrel(CameraModel(kVga, {.k1 = -0.25, .k2 = 0.09}), blurred, 1, "left");
+  const double expected = std::exp(-2 * std::pow(M_PI * 0.6 * 0.2, 2));
+  EXPECT_NEAR(ContrastOfStripes(ideal, 0.2), expected, 0.02);
+  // Sampling between pixels takes 12 % of this pattern anyway, and 15 % of it here.
+  EXPECT_GT(ContrastOfStripes(barrel, 0.2), 0.85 * expected);
+}
+
 TEST(EyeCamera, SameMotionSameBitsOnAnyNumberOfThreads) {
   const CameraProfile profile = CameraProfile::Named("lifecam_vx6000");
   const CameraModel camera = profile.lens.Model(320, 240, 1.05);

@@ -33,6 +33,23 @@ TEST(LensMap, RaysProjectBackOntoTheirPixels) {
   }
 }
 
+TEST(LensMap, PixelsPerPixelIsTheAreaOfTheUndistortedImage) {
+  EXPECT_NEAR(LensMap(Camera({})).PixelsPerPixel(), 1, 1e-4);
+  EXPECT_NEAR(LensMap(Camera({}, 250)).PixelsPerPixel(), 300.0 / 250, 1e-4) << "of 300 x 300";
+  // By Green's theorem: around the border alone.
+  const LensMap map(Camera({.k1 = -0.3, .k2 = 0.1}));
+  double twice = 0;
+  const auto along = [&](int y0, int x0, int y1, int x1) {
+    const Eigen::Vector3f a = map.Ray(y0, x0), b = map.Ray(y1, x1);
+    twice += a.x() * b.y() - a.y() * b.x();
+  };
+  for (int x = 0; x < 319; ++x) along(0, x, 0, x + 1), along(239, x + 1, 239, x);
+  for (int y = 0; y < 239; ++y) along(y, 319, y + 1, 319), along(y + 1, 0, y, 0);
+  const double area = 300 * 300 * twice / 2 / (319 * 239);
+  EXPECT_GT(area, 1.1);
+  EXPECT_NEAR(map.PixelsPerPixel(), area, 1e-3);
+}
+
 TEST(LensMap, RefusesALensWhoseImageFolds) {
   try {
     const LensMap map(Camera({.k1 = -1.2}));
@@ -73,6 +90,16 @@ TEST(CoveringPinhole, SeesEveryRayAtLeastAPixelInside) {
       }
     }
   }
+}
+
+TEST(CoveringPinhole, IsAsMuchCoarserAsItsScaleSays) {
+  const LensMap map(Camera({.k1 = -0.2}));
+  const CameraModel fine = CoveringPinhole(map.camera(), map.bounds(), {4000, 4000});
+  const CameraModel coarse = CoveringPinhole(map.camera(), map.bounds(), {4000, 4000}, 0.8);
+  EXPECT_DOUBLE_EQ(coarse.intrinsics().fx, 0.8 * fine.intrinsics().fx);
+  EXPECT_NEAR(coarse.width(), 0.8 * fine.width(), 2);
+  EXPECT_GE(coarse.Project(map.Ray(0, 0).cast<double>())->minCoeff(), 1 - 1e-3);
+  EXPECT_LE(coarse.Project(map.Ray(239, 319).cast<double>())->x(), coarse.width() - 2);
 }
 
 TEST(CoveringPinhole, KeepsThePixelGridOfACameraWithoutDistortion) {

@@ -71,6 +71,21 @@ TEST(SensorModel, NoiseHasTheVarianceTheProfileStates) {
   }
 }
 
+TEST(SensorModel, NoiseFollowsTheNormalLaw) {
+  constexpr double kSigma = 20;
+  const cv::Mat noise = NoiseOf(Sensor(Noise(kSigma, 0)), 128);
+  const auto count = static_cast<double>(noise.total());
+  // Whole grey levels: up to half a level more.
+  for (const double limit : {10.5, 20.5, 40.5, 60.5}) {
+    const double beyond = cv::countNonZero(cv::abs(noise) > limit) / count;
+    const double expected = std::erfc(limit / kSigma / M_SQRT2);
+    EXPECT_NEAR(beyond, expected, 0.0016 + 4 * std::sqrt(expected / count)) << limit;
+    EXPECT_NEAR(beyond, expected, 0.15 * expected) << limit;
+  }
+  const double kurtosis = cv::mean(noise.mul(noise).mul(noise).mul(noise))[0] / std::pow(kSigma, 4);
+  EXPECT_NEAR(kurtosis, 3, 0.05);
+}
+
 TEST(SensorModel, LessLightLeavesTheReadNoiseAndLowersTheShotNoise) {
   const SensorModel model = Sensor(Noise(1.5, 0.1));
   cv::Mat image = Grey(200);
