@@ -51,7 +51,7 @@ TEST_F(RenderCommand, HelpListsWhatThereIs) {
   }
   for (const char* text : {"yorick/tabletop.xml: lateral, overview; before bookshelf, brick",
                            "koala/room.xml: lateral, overview, plan", "osmesa", "left_tilt",
-                           "pixels of the frame before"}) {
+                           "pixels of the frame before", "--walk 0.3,0,20", "walk_to: {at_s: 1"}) {
     EXPECT_THAT(help, HasSubstr(text));
   }
   EXPECT_THAT(help, testing::Not(HasSubstr("room_shell"))) << "that is no scene";
@@ -67,6 +67,9 @@ TEST_F(RenderCommand, OptionsThatDoNotApplyAreRefusedBeforeAnythingIsWritten) {
   ExpectRefused("koala/empty_room.xml --obstacles 3 --blocked --clearance 0.3", "excludes");
   ExpectRefused("koala/room.xml --png16", "--png16 requires --truth");
   ExpectRefused("koala/room.xml --truth-between left:right", "--truth-between requires --truth");
+  ExpectRefused("koala/room.xml --saccade pan=3 --poses p.csv", "--poses excludes --saccade");
+  ExpectRefused("koala/room.xml --duration 3 --random 3", "excludes");
+  ExpectRefused("koala/room.xml --motion m.yaml --saccade pan=3", "--motion excludes --saccade");
   ExpectRefused("--again set --pan 3", "--again excludes --pan");
   ExpectRefused("koala/room.xml --profile ideal --camera-file c.yaml", "excludes");
 }
@@ -89,6 +92,19 @@ TEST_F(RenderCommand, ValuesThatDoNotHoldAreRefusedBeforeAnythingIsWritten) {
   ExpectRefused("koala/room.xml --body obstacle_1=1,2", "X,Y,Z");
   ExpectRefused("koala/room.xml --body obstacle_9=1,2,3", "did you mean 'obstacle_");
   ExpectRefused("nao/workspace.xml --pan 87 --tilt 29", "tilts from -19.0 to 11.6 deg");
+  ExpectRefused("koala/room.xml --saccade left_pna=3", "did you mean 'left_pan'?");
+  ExpectRefused("koala/room.xml --saccade neck_pan=3", "has no such axis");
+  ExpectRefused("koala/room.xml --saccade pan=3,pan=4", "stands twice");
+  ExpectRefused("koala/room.xml --saccade pan=3@2", "the motion ends at 1 s");
+  ExpectRefused("koala/room.xml --saccade pan=3@", "@SECONDS");
+  ExpectRefused("yorick/tabletop.xml --saccade pan=95", "is beyond this head");
+  ExpectRefused("yorick/tabletop.xml --walk 1,0,0", "cannot walk: robot nao can");
+  ExpectRefused("nao/workspace.xml --walk 1,0", "X,Y,TURN");
+  ExpectRefused("nao/workspace.xml --drive 0.1,0", "has no wheels");
+  ExpectRefused("koala/room.xml --drive 1,0", "at most");
+  ExpectRefused("koala/room.xml --rate 10", "--duration as well");
+  ExpectRefused("koala/room.xml --duration -1", "above 0");
+  ExpectRefused("nao/workspace.xml --duration 1 --camera eyes --camera tele", "other lenses");
   ExpectRefused("yorick/tabletop.xml --background bric", "did you mean 'brick'?");
   ExpectRefused("yorick/tabletop.xml --truth --truth-between foveal_left:left", "two of foveal");
   const fs::path poses = folder_.Write("p.csv", "pan_deg\nfar\n");
@@ -132,6 +148,39 @@ TEST_F(RenderCommand, SetsThatCannotBeMadeAgainAsTheyWereExitWithOne) {
   EXPECT_THAT(ran.output, HasSubstr("mujoco was 9.9"));
   const auto none = folder_.Write("none.json", "{}");
   ExpectRefused("--again '" + none.string() + "'", "is no manifest of a data set");
+}
+
+TEST_F(RenderCommand, AMotionIsFilmedAndFilmedAgain) {
+  const fs::path first = Make(
+      "koala/room.xml --size 32x24 --tilt 5 --saccade pan=8,tilt=5@0.1 --drive 0.2,0 --rate 20 "
+      "--duration 0.3",
+      "first");
+  const nlohmann::json manifest = Manifest(first);
+  EXPECT_EQ(manifest.at("request").at("camera").at("timing").at("rate_hz"), 20);
+  EXPECT_EQ(manifest.at("request").at("motion").at("commands").size(), 2u);
+  EXPECT_GE(manifest.at("frames"), 6);
+  EXPECT_THAT(Slurp(first / "index.csv"), HasSubstr("\n5,000005,"));
+  const fs::path second = Make("--again '" + first.string() + "'", "second");
+  for (const char* file : {"manifest.json", "trajectory.csv", "000005/SHA256SUMS"}) {
+    EXPECT_EQ(Slurp(first / file), Slurp(second / file)) << file;
+  }
+}
+
+TEST_F(RenderCommand, AgainSaysThatTheSceneHasChangedSince) {
+  const fs::path scenes = folder_.path() / "scenes";
+  fs::copy(ScenesDir(), scenes, fs::copy_options::recursive);
+  setenv("HOROPTER_SCENES_DIR", scenes.c_str(), 1);
+  const fs::path first = Make("koala/room.xml --size 32x24", "first");
+  const fs::path shell = scenes / "koala" / "room_shell.xml";
+  std::string text = Slurp(shell);
+  const std::size_t light = text.find("<light ");
+  ASSERT_NE(light, std::string::npos);
+  folder_.Write("scenes/koala/room_shell.xml", text.insert(light, "<light pos='0 0 2'/>"));
+  const Ran ran = Horopter("render --again '" + first.string() + "' --out '" + At("again") + "'");
+  unsetenv("HOROPTER_SCENES_DIR");
+  EXPECT_EQ(ran.code, 1) << ran.output;
+  EXPECT_THAT(ran.output, HasSubstr("was made: koala/room_shell.xml\n"));
+  EXPECT_THAT(ran.output, HasSubstr("; the scene is another: koala/room_shell.xml"));
 }
 
 TEST_F(RenderCommand, GeneratedRoomIsInTheSet) {

@@ -32,6 +32,13 @@ RenderRequest Full() {
   r.between = {"left:right"};
   r.views = {"overview"};
   r.poses = {"", {"left_pan_deg", "sugar.x_m"}, {{-1.0 / 3, 1e-7}, {0, 2}}};
+  SaccadeCommand saccade;
+  saccade.gaze_deg[1] = -1.0 / 7;
+  r.motion = {0.7,
+              {{0.1, saccade},
+               {0.2, WalkToCommand{0.3, 0, 1e-3}},
+               {0.3, WalkCommand{0.05, 0, 2}},
+               {0.4, DriveCommand{0.1 + 0.2, -3}}}};
   return r;
 }
 
@@ -49,6 +56,7 @@ void ExpectEqual(const RenderRequest& a, const RenderRequest& b) {
   EXPECT_EQ(a.png16, b.png16);
   EXPECT_EQ(a.between, b.between);
   EXPECT_EQ(a.views, b.views);
+  EXPECT_EQ(a.motion, b.motion);
   EXPECT_EQ(a.poses.columns, b.poses.columns);
   EXPECT_EQ(a.poses.rows, b.poses.rows);
 }

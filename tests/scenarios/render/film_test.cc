@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenarios/render/film.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "scenarios/dataset/csv.h"
+#include "scenarios/dataset/flo.h"
+#include "scenarios/dataset/state_tables.h"
+#include "scenarios/render/manifest.h"
+#include "scenarios/render/render_dataset.h"
+#include "scenarios/render/request_checks.h"
+#include "tests/scenarios/format/corpus.h"
+
+namespace horopter::scenarios {
+namespace {
+
+namespace fs = std::filesystem;
+
+MotionCommand Saccade(double at_s, double pan_deg, double tilt_deg, double vergence_deg = 0) {
+  SaccadeCommand saccade;
+  saccade.gaze_deg = {pan_deg, tilt_deg, vergence_deg};
+  return {at_s, saccade};
+}
+
+/// A table that a film wrote, by the names of its columns.
+class Table {
+ public:
+  explicit Table(const fs::path& file)
+      : text_(Slurp(file)), header_(text_.substr(0, text_.find('\n'))) {
+    csv_.emplace(text_, header_, file.string());
+  }
+
+  std::size_t rows() const { return csv_->rows(); }
+  double operator()(std::size_t row, const std::string& column) const {
+    const std::size_t at = ("," + header_ + ",").find("," + column + ",");
+    EXPECT_NE(at, std::string::npos) << column;
+    return csv_->Number(row, static_cast<std::size_t>(std::count(
+                                 header_.begin(), header_.begin() + static_cast<long>(at), ',')));
+  }
+
+ private:
+  std::string text_;
+  std::string header_;
+  std::optional<CsvTable> csv_;
+};
+
+class FilmTest : public testing::Test {
+ protected:
+  static RenderRequest Request(const std::string& robot, const std::string& scene,
+                               const std::string& profile, double rate_hz) {
+    RenderRequest request;
+    request.scene = robot + "/" + scene;
+    request.robot = robot;
+    request.camera.width = 96;
+    request.camera.height = 72;
+    request.camera.profile = sim::CameraProfile::Named(profile);
+    request.camera.profile.timing.rate_hz = rate_hz;
+    request.poses = {"", {"pan_deg"}, {{0}}};
+    request.motion.emplace();
+    return request;
+  }
+
+  fs::path Make(const RenderRequest& request, const std::string& name = "set") const {
+    const RenderOutput output{folder_.path() / name, "horopter render", {{"horopter", "0"}}};
+    EXPECT_TRUE(RenderDataset(request, output));
+    return output.folder;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(FilmTest, TheSameFilmTwiceIsTheSameToTheLastBit) {
+  RenderRequest request = Request("koala", "room.xml", "webcam_vga", 30);
+  request.camera.profile.timing.drop_probability = 0.2;
+  request.camera.profile.timing.repeat_probability = 0.2;
+  request.seed = 4;
+  request.truth = true;
+  request.motion->duration_s = 0.4;
+  request.motion->commands = {{0, DriveCommand{0.3, 30}}, Saccade(0.1, 15, 5, 3)};
+  const fs::path first = Make(request, "first");
+  const DatasetManifest manifest = ReadManifest(first);
+  const fs::path second = Make(manifest.request, "second");
+  EXPECT_EQ(WhatDiffers(manifest, ReadManifest(second)), "");
+  const Table index(first / "index.csv");
+  ASSERT_GT(index.rows(), 5u);
+  for (std::size_t i = 0; i < index.rows(); ++i) {
+    const std::string sums = fmt::format("{:06}/SHA256SUMS", i);
+    EXPECT_FALSE(Slurp(first / sums).empty());
+    EXPECT_EQ(Slurp(first / sums), Slurp(second / sums)) << i;
+  }
+  for (const char* file : {"manifest.json", "index.csv", "capture.csv", "trajectory.csv"}) {
+    EXPECT_FALSE(Slurp(first / file).empty()) << file;
+    EXPECT_EQ(Slurp(first / file), Slurp(second / file)) << file;
+  }
+}
+
+TEST_F(FilmTest, ASaccadeIsAsFastAsTheAxesAndNoFaster) {
+  RenderRequest request = Request("yorick", "tabletop.xml", "ideal", 50);
+  request.pairs = {"foveal"};
+  request.motion->duration_s = 0.3;
+  request.motion->commands = {Saccade(0.05, 40, 10, 8)};
+  const Table path(Make(request) / "trajectory.csv");
+  const hardware::HeadLimits limits = RobotOf(request).head_limits;
+  ASSERT_EQ(path.rows(), 301u);  // one more than there are steps of 1 ms
+  for (const int axis : {0, 1, 2, 4}) {
+    const auto i = static_cast<std::size_t>(axis);
+    const std::string name = std::string(hardware::kHeadAxisNames[i]) + "_deg";
+    const double limit = limits[i].max_speed_rad_s * 180 / M_PI;
+    double fastest = 0;
+    for (std::size_t row = 1; row < path.rows(); ++row) {
+      const double step_s = path(row, "t_s") - path(row - 1, "t_s");
+      fastest = std::max(fastest, std::abs(path(row, name) - path(row - 1, name)) / step_s);
+    }
+    // The joint follows its set point through a servo, which overshoots the speed a little.
+    EXPECT_LT(fastest, 1.02 * limit) << name;
+    EXPECT_GT(fastest, axis == 0 ? 0.98 * limit : 50) << name;
+  }
+  EXPECT_NEAR(path(50, "neck_pan_deg"), 0, 0.01) << "it is told at 0.05 s";
+  EXPECT_NEAR(path(300, "neck_pan_deg"), 40, 0.01);
+  EXPECT_NEAR(path(300, "neck_tilt_deg"), 10, 0.01);
+  EXPECT_NEAR(path(300, "right_pan_deg") - path(300, "left_pan_deg"), 8, 0.01);
+}
+
+// What a film shows of an instant is what a still view of that instant's angles shows.
+TEST_F(FilmTest, AFrameIsTheSightOfItsCaptureNotOfItsDelivery) {
+  RenderRequest request = Request("yorick", "tabletop.xml", "ideal", 100);
+  request.camera.profile.timing.latency_s = 0.03;
+  request.pairs = {"peripheral"};
+  request.motion->duration_s = 0.15;
+  request.motion->commands = {Saccade(0.02, 20, 15)};
+  const fs::path film = Make(request, "film");
+  const Table index(film / "index.csv"), capture(film / "capture.csv");
+  RenderRequest still = request;
+  still.motion.reset();
+  still.poses = {"", {"neck_pan_deg", "neck_tilt_deg", "left_pan_deg", "right_pan_deg"}, {}};
+  for (std::size_t i = 0; i < index.rows(); ++i) {
+    EXPECT_EQ(index(i, "t_s"), capture(i, "left_t_s"));
+    EXPECT_NEAR(capture(i, "t_delivered_s") - capture(i, "left_t_s"), 0.03, 1e-9);
+    auto& row = still.poses.rows.emplace_back();
+    for (const std::string& column : still.poses.columns) {
+      const double beyond = column == "left_pan_deg" ? std::max(0.0, index(i, column)) : 0;
+      const double short_of = column == "right_pan_deg" ? std::min(0.0, index(i, column)) : 0;
+      row.push_back(index(i, column) - beyond - short_of);  // a servo swings past its range's end
+    }
+  }
+  const fs::path stills = Make(still, "stills");
+  int moving = 0;
+  for (std::size_t i = 0; i < index.rows(); ++i) {
+    const std::string image = fmt::format("{:06}/left.png", i);
+    const cv::Mat3b seen = cv::imread((film / image).string());
+    const cv::Mat3b expected = cv::imread((stills / image).string());
+    cv::Mat difference;
+    cv::absdiff(seen, expected, difference);
+    const int off = cv::countNonZero(difference.reshape(1) > 8);
+    EXPECT_LT(off, difference.rows * difference.cols * 3 / 200) << i;
+    moving += index(i, "neck_pan_deg") > 0.5 && index(i, "neck_pan_deg") < 19.5;
+  }
+  EXPECT_GE(moving, 3);
+}
+
+TEST_F(FilmTest, TruthLeadsToTheSameSurfaceThoughTheEyesLookAtDifferentTimes) {
+  RenderRequest request = Request("koala", "room.xml", "ideal", 20);
+  request.camera.profile.timing.latency_s = 0.02;
+  request.camera.profile.timing.skew_s = 0.03;
+  request.truth = true;
+  request.motion->duration_s = 0.3;
+  request.motion->commands = {Saccade(0, 20, 5, 3)};
+  const fs::path frame = Make(request) / "000003";
+  const DisplacementMaps field = ReadFlo(frame / "left_disparity.flo");
+  const auto picture = [&](const char* name) {
+    return cv::imread((frame / name).string(), cv::IMREAD_UNCHANGED);
+  };
+  const cv::Mat left = picture("left_parts.png"), right = picture("right_parts.png");
+  const cv::Mat seen = picture("left_visibility.png");
+  int same = 0, all = 0;
+  for (int v = 0; v < left.rows; ++v) {
+    for (int u = 0; u < left.cols; ++u) {
+      if (seen.at<uchar>(v, u) != 255) continue;
+      const int x = static_cast<int>(std::lround(u + field.dx(v, u)));
+      const int y = static_cast<int>(std::lround(v + field.dy(v, u)));
+      if (x < 0 || y < 0 || x >= right.cols || y >= right.rows) continue;
+      ++all;
+      same += right.at<std::uint16_t>(y, x) == left.at<std::uint16_t>(v, u) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(all, left.rows * left.cols / 2);
+  EXPECT_GT(same, all * 95 / 100);
+}
+
+TEST_F(FilmTest, WalkingCarriesTheTorsoThereAndSwaysIt) {
+  RenderRequest request = Request("nao", "workspace.xml", "ideal", 10);
+  request.motion->duration_s = 2.2;
+  request.motion->commands = {{0.1, WalkToCommand{0.1, 0, 0}}};
+  const fs::path set = Make(request);
+  EXPECT_TRUE(fs::exists(set / "000000" / "left.png")) << "one pair, though there are two lenses";
+  const Table path(set / "trajectory.csv");
+  EXPECT_NEAR(path(0, "base_x_m"), 0, 0.002);
+  EXPECT_NEAR(path(path.rows() - 1, "base_x_m"), 0.1, 0.02);
+  double leftmost = 0, rightmost = 0;
+  for (std::size_t row = 0; row < path.rows(); ++row) {
+    leftmost = std::max(leftmost, path(row, "base_y_m"));
+    rightmost = std::min(rightmost, path(row, "base_y_m"));
+  }
+  EXPECT_GT(leftmost - rightmost, 0.01) << "sway";
+  const auto torso = [&](const std::string& frame) {
+    for (const sim::BodyPose& body : DecodePoses(Slurp(set / frame / "poses.csv"), "poses.csv")) {
+      if (body.body == "base") return body.X_WB.translation().eval();
+    }
+    return Eigen::Vector3d(Eigen::Vector3d::Zero());
+  };
+  EXPECT_NEAR((torso("000020") - torso("000000")).head<2>().norm(), 0.1, 0.025);
+}
+
+TEST_F(FilmTest, InterruptedItSaysSoAndKeepsItsTables) {
+  RenderRequest request = Request("koala", "room.xml", "ideal", 25);
+  request.motion->commands = {{0, DriveCommand{0.2, 0}}};
+  int asked = 0;
+  RenderHooks hooks;
+  hooks.interrupted = [&asked] { return ++asked > 2; };
+  const RenderOutput output{folder_.path() / "set", "horopter render", {}};
+  EXPECT_FALSE(RenderDataset(request, output, hooks));
+  EXPECT_EQ(Table(output.folder / "index.csv").rows(), 2u);
+  EXPECT_EQ(Table(output.folder / "capture.csv").rows(), 2u);
+  EXPECT_GT(Table(output.folder / "trajectory.csv").rows(), 15u);
+  EXPECT_THAT(Slurp(output.folder / "manifest.json"), testing::HasSubstr("\"complete\": false"));
+}
+
+}  // namespace
+}  // namespace horopter::scenarios
