@@ -9,6 +9,7 @@
 
 #include "textured_pair.h"
 #include "vision/disparity/v1_closed_form.h"
+#include "vision/disparity/v1_config.h"
 
 namespace horopter::vision {
 namespace {

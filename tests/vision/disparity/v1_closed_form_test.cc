@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "textured_pair.h"
+#include "vision/disparity/v1_config.h"
 
 namespace horopter::vision {
 namespace {
