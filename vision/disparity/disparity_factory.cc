@@ -35,7 +35,7 @@ std::string KnownMethods() {
 const std::vector<DisparityMethod>& DisparityMethods() {
   static const std::vector<DisparityMethod> methods = {
       {"v1",
-       {"accurate", "dense", "fast", "realtime", "checked", "cautious", "paper_2009"},
+       {"accurate", "dense", "fast", "realtime", "checked", "cautious", "paper_2009", "paper_2018"},
        false,
        "binocular energy model of V1"},
       {"dis",

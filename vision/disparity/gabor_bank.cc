@@ -14,34 +14,38 @@ cv::Mat1f Separable(const cv::Mat1f& image, const cv::Mat1f& along_x, const cv::
   return out;
 }
 
-}  // namespace
-
-SimpleCells SimpleCellMap::At(float x, float y) const {
-  const int x0 = static_cast<int>(x);
-  const int y0 = static_cast<int>(y);
-  const int right = x0 + 1 < size_.width ? 1 : 0;
-  const SimpleCells* top = row(y0) + x0;
-  const SimpleCells* bottom = row(std::min(y0 + 1, size_.height - 1)) + x0;
-  const float ax = x - static_cast<float>(x0);
-  const float ay = y - static_cast<float>(y0);
+/// The mean of four pixels' values. A fixed count of them makes fixed loops.
+template <int kCount>
+void Interpolate(const float* top, const float* bottom, std::ptrdiff_t right, float ax, float ay,
+                 int count, float* __restrict out) {
+  if (kCount > 0) count = kCount;
   const float w00 = (1 - ax) * (1 - ay), w10 = ax * (1 - ay), w01 = (1 - ax) * ay, w11 = ax * ay;
-  SimpleCells out;
-  for (int i = 0; i < kOrientations; ++i) {
-    out.even[i] = w00 * top[0].even[i] + w10 * top[right].even[i] + w01 * bottom[0].even[i] +
-                  w11 * bottom[right].even[i];
+  for (int i = 0; i < count; ++i) {
+    out[i] = w00 * top[i] + w10 * top[right + i] + w01 * bottom[i] + w11 * bottom[right + i];
   }
-  for (int i = 0; i < kOrientations; ++i) {
-    out.odd[i] = w00 * top[0].odd[i] + w10 * top[right].odd[i] + w01 * bottom[0].odd[i] +
-                 w11 * bottom[right].odd[i];
-  }
-  return out;
 }
 
-GaborBank::GaborBank(const V1Config& config) {
+}  // namespace
+
+void SimpleCellMap::At(float x, float y, float* cells) const {
+  const int x0 = static_cast<int>(x);
+  const int y0 = static_cast<int>(y);
+  const std::ptrdiff_t count = 2 * static_cast<std::ptrdiff_t>(orientations_);
+  const std::ptrdiff_t right = x0 + 1 < size_.width ? count : 0;
+  const float* top = data_.ptr<float>(y0) + x0 * count;
+  const float* bottom = data_.ptr<float>(std::min(y0 + 1, size_.height - 1)) + x0 * count;
+  const auto interpolate =
+      orientations_ == kOrientations ? Interpolate<2 * kOrientations> : Interpolate<0>;
+  interpolate(top, bottom, right, x - static_cast<float>(x0), y - static_cast<float>(y0),
+              static_cast<int>(count), cells);
+}
+
+GaborBank::GaborBank(const V1Config& config) : orientations_(config.orientations) {
   gaussian_ = MakeKernel(config, 0).even;
-  for (int i = 0; i <= kOrientations / 2; ++i) {
-    along_x_[i] = MakeKernel(config, config.peak_frequency * std::cos(OrientationRad(i)));
-    along_y_[i] = MakeKernel(config, config.peak_frequency * std::sin(OrientationRad(i)));
+  for (int i = 0; i <= orientations_ / 2; ++i) {
+    const double theta = OrientationRad(i, orientations_);
+    along_x_.push_back(MakeKernel(config, config.peak_frequency * std::cos(theta)));
+    along_y_.push_back(MakeKernel(config, config.peak_frequency * std::sin(theta)));
   }
 }
 
@@ -65,9 +69,9 @@ GaborBank::Kernel1D GaborBank::MakeKernel(const V1Config& config, double frequen
 }
 
 SimpleCellMap GaborBank::Apply(const cv::Mat1f& grey) const {
-  SimpleCellMap out(grey.size());
+  SimpleCellMap out(grey.size(), orientations_);
   const cv::Mat1f blurred = Separable(grey, gaussian_, gaussian_);
-  cv::parallel_for_(cv::Range(0, kOrientations / 2 + 1), [&](const cv::Range& range) {
+  cv::parallel_for_(cv::Range(0, orientations_ / 2 + 1), [&](const cv::Range& range) {
     for (int i = range.start; i < range.end; ++i) FilterOrientation(grey, blurred, i, out);
   });
   return out;
@@ -82,15 +86,17 @@ void GaborBank::FilterOrientation(const cv::Mat1f& grey, const cv::Mat1f& blurre
   const cv::Mat1f odd_even = Separable(grey, kx.odd, ky.even);
   const cv::Mat1f even_odd = Separable(grey, kx.even, ky.odd);
   const float dc = static_cast<float>(kx.even_sum * ky.even_sum);
-  const int mirror = (kOrientations - i) % kOrientations;  // 0 and pi / 2 mirror themselves
+  const int n = orientations_;
+  const int mirror = (n - i) % n;  // 0 and pi / 2 mirror themselves
   for (int y = 0; y < grey.rows; ++y) {
-    SimpleCells* cells = out.row(y);
-    for (int x = 0; x < grey.cols; ++x) {
+    float* even = out.data(y);
+    for (int x = 0; x < grey.cols; ++x, even += 2 * n) {
+      float* odd = even + n;
       const float balance = dc * blurred(y, x);
-      cells[x].even[mirror] = even_even(y, x) + odd_odd(y, x) - balance;
-      cells[x].odd[mirror] = even_odd(y, x) - odd_even(y, x);
-      cells[x].even[i] = even_even(y, x) - odd_odd(y, x) - balance;
-      cells[x].odd[i] = odd_even(y, x) + even_odd(y, x);
+      even[mirror] = even_even(y, x) + odd_odd(y, x) - balance;
+      odd[mirror] = even_odd(y, x) - odd_even(y, x);
+      even[i] = even_even(y, x) - odd_odd(y, x) - balance;
+      odd[i] = odd_even(y, x) + even_odd(y, x);
     }
   }
 }

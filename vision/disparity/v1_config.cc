@@ -6,6 +6,8 @@
 #include <string>
 
 #include "hardware/types/field_checker.h"
+#include "vision/disparity/binocular_energy.h"
+#include "vision/disparity/gabor_bank.h"
 
 namespace horopter::vision {
 namespace {
@@ -18,15 +20,28 @@ bool NotNegative(double v) { return std::isfinite(v) && v >= 0; }
 std::vector<hardware::FieldError> V1Config::Validate() const {
   if (form == V1Form::kClosedForm) return closed_form.Validate();
   hardware::FieldChecker c("v1.");
+  c.Require(normalisation_px == 0 ||
+                (normalisation_px % 2 == 1 && normalisation_px >= 3 && normalisation_px <= 63),
+            "normalisation_px", normalisation_px, "must be 0, or odd and 3 to 63");
+  c.Require(orientations >= 2 && orientations <= kMaxOrientations, "orientations", orientations,
+            "must be 2 to 16");
   c.Require(filter_px % 2 == 1 && filter_px >= 3 && filter_px <= 63, "filter_px", filter_px,
             "must be odd, 3 to 63");
   c.Require(Positive(peak_frequency) && peak_frequency < 0.5, "peak_frequency", peak_frequency,
             "must be between 0 and 0.5 cycles/px");
   c.Require(Positive(envelope_sigma_px), "envelope_sigma_px", envelope_sigma_px,
             "must be positive");
+  c.Require(phase_shifts >= 3 && phase_shifts <= kMaxPhaseShifts, "phase_shifts", phase_shifts,
+            "must be 3 to 15");
   c.Require(Positive(max_disparity_px) && max_disparity_px * peak_frequency < 0.5,
             "max_disparity_px", max_disparity_px,
             "must be positive and less than half a period of peak_frequency");
+  c.Require(energy_exponent >= 0.05 && energy_exponent <= 2, "energy_exponent", energy_exponent,
+            "must be 0.05 to 2");
+  c.Require(Positive(readout_gain) && readout_gain <= 10, "readout_gain", readout_gain,
+            "must be above 0 and at most 10");
+  c.Require(min_pooled > 0 && min_pooled <= 1, "min_pooled", min_pooled,
+            "must be above 0 and at most 1");
   c.Require(response_threshold >= 0 && response_threshold < 1, "response_threshold",
             response_threshold, "must be in [0, 1)");
   c.Require(Positive(saturation_grey), "saturation_grey", saturation_grey, "must be positive");
@@ -35,8 +50,8 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
             "must be positive");
   c.Require(NotNegative(min_orientation_response), "min_orientation_response",
             min_orientation_response, "must not be negative");
-  c.Require(min_orientations >= 2 && min_orientations <= kOrientations, "min_orientations",
-            min_orientations, "must be 2 to 8");
+  c.Require(min_orientations >= 2 && min_orientations <= orientations, "min_orientations",
+            min_orientations, "must be 2 to orientations");
   c.Require(Positive(min_conditioning) && min_conditioning < 1, "min_conditioning",
             min_conditioning, "must be between 0 and 1");
   c.Require(NotNegative(pooling_sigma_px) && pooling_sigma_px <= 10, "pooling_sigma_px",
@@ -55,6 +70,9 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
   c.Require(min_segment_px >= 0, "min_segment_px", min_segment_px, "must not be negative");
   c.Require(NotNegative(segment_step_px), "segment_step_px", segment_step_px,
             "must not be negative");
+  c.Require(Positive(fill.reach_px), "fill.reach_px", fill.reach_px, "must be positive");
+  c.Require(Positive(fill.colour_grey), "fill.colour_grey", fill.colour_grey, "must be positive");
+  c.Require(fill.passes >= 1 && fill.passes <= 10, "fill.passes", fill.passes, "must be 1 to 10");
   return c.Take();
 }
 
@@ -97,9 +115,31 @@ V1Config V1Config::Preset(std::string_view name) {
     config.min_segment_px = 0;
     return config;
   }
+  if (name == "paper_2018") {
+    config = Preset("paper_2009");
+    config.normalisation_px = 5;
+    config.orientations = 9;
+    config.peak_frequency = 1 / 3.8;
+    config.envelope_sigma_px = 2.56;
+    config.phase_shifts = 11;
+    config.max_disparity_px = 0.76;
+    config.energy_exponent = 0.18;
+    config.decoding = V1Decoding::kLinear;
+    config.readout_gain = 1.3;
+    config.min_pooled = 1;
+    config.min_signal_to_noise = 0.05;  // only plain ground is without texture: noise has it
+    config.pooling_sigma_px = 11 / 6.0;
+    config.pyramid = PyramidStep::kHalfOctave;
+    config.scales = 9;
+    config.fill_in = true;
+    config.fill.reach_px = 2.5;
+    config.fill.colour_grey = 3 * 256 / 3;  // a third of the range, in each of three channels
+    return config;
+  }
   throw std::invalid_argument(
       "unknown v1 preset \"" + std::string(name) +
-      "\": known are accurate, dense, fast, realtime, checked, cautious, paper_2009");
+      "\": known are accurate, dense, fast, realtime, checked, cautious, paper_2009, "
+      "paper_2018");
 }
 
 }  // namespace horopter::vision

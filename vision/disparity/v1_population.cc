@@ -11,124 +11,125 @@ namespace {
 // Loops over orientations run over consecutive floats without branches, for the compiler to turn
 // into vector instructions; that is also why sums are taken per orientation first.
 
-float Sum(const std::array<float, kOrientations>& v) {
-  static_assert(kOrientations == 8);
-  return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+/// Pairwise: halves are folded onto each other, so that the order is that of vector instructions.
+template <int kCount>
+float Sum(const PerOrientation& v, int count) {
+  if (kCount == 8) return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+  float sum = 0;
+  for (int i = 0; i < count; ++i) sum += v[i];
+  return sum;
 }
 
-float Dot(const std::array<float, kOrientations>& a, const std::array<float, kOrientations>& b) {
-  std::array<float, kOrientations> products;
-  for (int i = 0; i < kOrientations; ++i) products[i] = a[i] * b[i];
-  return Sum(products);
+template <int kCount>
+float Dot(const float* a, const float* b, int count) {
+  if (kCount > 0) count = kCount;
+  PerOrientation products;
+  for (int i = 0; i < count; ++i) products[i] = a[i] * b[i];
+  return Sum<kCount>(products, count);
 }
 
 }  // namespace
 
 Population::Population(const V1Config& config)
     : config_(config),
+      energy_(config),
       threshold_(static_cast<float>(config.response_threshold)),
       subtract_(config.soft_threshold ? threshold_ : 0) {
-  for (int j = 0; j < kPhaseShifts; ++j) {
-    const double disparity = config.max_disparity_px * (2.0 * j / (kPhaseShifts - 1) - 1);
-    const double phase = 2 * M_PI * config.peak_frequency * disparity;
-    preferred_[j] = static_cast<float>(disparity);
-    cos_phase_[j] = static_cast<float>(std::cos(phase));
-    sin_phase_[j] = static_cast<float>(std::sin(phase));
-  }
-  for (int i = 0; i < kOrientations; ++i) {
-    nx_[i] = static_cast<float>(std::cos(OrientationRad(i)));
-    ny_[i] = static_cast<float>(std::sin(OrientationRad(i)));
+  for (int i = 0; i < config.orientations; ++i) {
+    nx_[i] = static_cast<float>(std::cos(OrientationRad(i, config.orientations)));
+    ny_[i] = static_cast<float>(std::sin(OrientationRad(i, config.orientations)));
     nx_nx_[i] = nx_[i] * nx_[i];
     nx_ny_[i] = nx_[i] * ny_[i];
     ny_ny_[i] = ny_[i] * ny_[i];
   }
 }
 
-float Population::TexturelessEnergy(int octave) const {
-  // White noise of deviation s gives each eye's cell a power of s^2 / (4 pi sigma^2), the integral
-  // of the squared envelope; the magnitude of two eyes' sum is Rayleigh distributed.
-  const double noise = config_.noise_grey / (std::sqrt(8.0) * config_.envelope_sigma_px);
-  return static_cast<float>(std::ldexp(config_.min_signal_to_noise * noise, -octave));
-}
-
 Constraints Population::Decode(const SimpleCells& left, const SimpleCells& right,
                                float textureless_energy) const {
-  const Energies energy = BinocularEnergy(left, right);
-
-  PerOrientation total = {};
-  PerOrientation low = energy[0];
-  PerOrientation high = energy[0];
-  for (const PerOrientation& e : energy) {
-    for (int i = 0; i < kOrientations; ++i) {
-      total[i] += e[i];
-      low[i] = e[i] < low[i] ? e[i] : low[i];
-      high[i] = e[i] > high[i] ? e[i] : high[i];
-    }
+  if (config_.orientations == kOrientations && config_.phase_shifts == kPhaseShifts) {
+    return DecodeCounted<kOrientations, kPhaseShifts>(left, right, textureless_energy);
   }
-  const float mean = Sum(total) / (kOrientations * kPhaseShifts);
-  if (mean < textureless_energy) return {};
+  return DecodeCounted<0, 0>(left, right, textureless_energy);
+}
 
-  const PerOrientation disparity = CentreOfMass(energy, low, high);
+template <int kOrientationCount, int kShiftCount>
+Constraints Population::DecodeCounted(const SimpleCells& left, const SimpleCells& right,
+                                      float textureless_energy) const {
+  const int n = kOrientationCount > 0 ? kOrientationCount : config_.orientations;
+  Energies energy;
+  energy_.Magnitudes<kOrientationCount, kShiftCount>(left, right, energy);
+
+  Activity activity = Survey<kOrientationCount, kShiftCount>(energy);
+  if (activity.mean < textureless_energy) return {};
+  if (energy_.Compress(energy)) activity = Survey<kOrientationCount, kShiftCount>(energy);
+  const PerOrientation disparity =
+      CentreOfMass<kOrientationCount, kShiftCount>(energy, activity.low, activity.high);
 
   // Divisive normalisation: response = energy / (c + mean energy of the pixel's population). The
   // centre of mass does not depend on it; which orientations count does.
-  const float gain = 1 / (static_cast<float>(config_.saturation_grey) + mean);
+  const float gain = 1 / (static_cast<float>(config_.saturation_grey) + activity.mean);
   const auto least = static_cast<float>(config_.min_orientation_response);
   PerOrientation counts, weight, pull;
-  for (int i = 0; i < kOrientations; ++i) {
-    const float response = gain * high[i];
+  for (int i = 0; i < n; ++i) {
+    const float response = gain * activity.high[i];
     counts[i] = response >= least ? 1.0F : 0.0F;
     weight[i] = counts[i] * (config_.energy_weights ? response : 1.0F);
     pull[i] = weight[i] * disparity[i];
   }
+  const auto dot = [n](const float* a, const float* b) { return Dot<kOrientationCount>(a, b, n); };
   Constraints sums;
-  sums.nx_nx = Dot(weight, nx_nx_);
-  sums.nx_ny = Dot(weight, nx_ny_);
-  sums.ny_ny = Dot(weight, ny_ny_);
-  sums.nx_d = Dot(pull, nx_);
-  sums.ny_d = Dot(pull, ny_);
-  sums.count = Sum(counts);
-  sums.agreement = 2 * (Dot(left.even, right.even) + Dot(left.odd, right.odd));
-  sums.power = Dot(left.even, left.even) + Dot(left.odd, left.odd) + Dot(right.even, right.even) +
-               Dot(right.odd, right.odd);
+  sums.nx_nx = dot(weight.data(), nx_nx_.data());
+  sums.nx_ny = dot(weight.data(), nx_ny_.data());
+  sums.ny_ny = dot(weight.data(), ny_ny_.data());
+  sums.nx_d = dot(pull.data(), nx_.data());
+  sums.ny_d = dot(pull.data(), ny_.data());
+  sums.count = Sum<kOrientationCount>(counts, n);
+  sums.agreement = 2 * (dot(left.even, right.even) + dot(left.odd, right.odd));
+  sums.power = dot(left.even, left.even) + dot(left.odd, left.odd) + dot(right.even, right.even) +
+               dot(right.odd, right.odd);
   return sums;
 }
 
-Population::Energies Population::BinocularEnergy(const SimpleCells& left,
-                                                 const SimpleCells& right) const {
-  // What lies d further in the right image has a response delayed in phase by 2 pi f0 d; the cell
-  // that advances it by as much sees both eyes agree.
-  Energies energy;
-  for (int j = 0; j < kPhaseShifts; ++j) {
-    const float c = cos_phase_[j];
-    const float s = sin_phase_[j];
-    for (int i = 0; i < kOrientations; ++i) {
-      const float even = left.even[i] + c * right.even[i] - s * right.odd[i];
-      const float odd = left.odd[i] + s * right.even[i] + c * right.odd[i];
-      energy[j][i] = std::sqrt(even * even + odd * odd);
+template <int kOrientationCount, int kShiftCount>
+Population::Activity Population::Survey(const Energies& energy) const {
+  const int n = kOrientationCount > 0 ? kOrientationCount : config_.orientations;
+  const int shifts = kShiftCount > 0 ? kShiftCount : config_.phase_shifts;
+  PerOrientation total = {};
+  Activity activity;
+  for (int i = 0; i < n; ++i) activity.low[i] = activity.high[i] = energy[0][i];
+  for (int j = 0; j < shifts; ++j) {
+    const PerOrientation& e = energy[j];
+    for (int i = 0; i < n; ++i) {
+      total[i] += e[i];
+      activity.low[i] = e[i] < activity.low[i] ? e[i] : activity.low[i];
+      activity.high[i] = e[i] > activity.high[i] ? e[i] : activity.high[i];
     }
   }
-  return energy;
+  activity.mean = Sum<kOrientationCount>(total, n) / static_cast<float>(n * shifts);
+  return activity;
 }
 
-Population::PerOrientation Population::CentreOfMass(const Energies& energy,
-                                                    const PerOrientation& low,
-                                                    const PerOrientation& high) const {
+template <int kOrientationCount, int kShiftCount>
+PerOrientation Population::CentreOfMass(const Energies& energy, const PerOrientation& low,
+                                        const PerOrientation& high) const {
+  const int n = kOrientationCount > 0 ? kOrientationCount : config_.orientations;
+  const int shifts = kShiftCount > 0 ? kShiftCount : config_.phase_shifts;
   PerOrientation scale;
-  for (int i = 0; i < kOrientations; ++i) scale[i] = 1 / std::max(high[i] - low[i], 1e-6F);
+  for (int i = 0; i < n; ++i) scale[i] = 1 / std::max(high[i] - low[i], 1e-6F);
 
   PerOrientation mass = {};
   PerOrientation moment = {};
-  for (int j = 0; j < kPhaseShifts; ++j) {
-    for (int i = 0; i < kOrientations; ++i) {
+  for (int j = 0; j < shifts; ++j) {
+    const float preferred = energy_.preferred(j);
+    for (int i = 0; i < n; ++i) {
       const float response = (energy[j][i] - low[i]) * scale[i];
       const float counted = response >= threshold_ ? response - subtract_ : 0.0F;
       mass[i] += counted;
-      moment[i] += counted * preferred_[j];
+      moment[i] += counted * preferred;
     }
   }
   PerOrientation disparity;
-  for (int i = 0; i < kOrientations; ++i) disparity[i] = moment[i] / std::max(mass[i], 1e-6F);
+  for (int i = 0; i < n; ++i) disparity[i] = moment[i] / std::max(mass[i], 1e-6F);
   return disparity;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
+#include "vision/disparity/binocular_energy.h"
 #include "vision/disparity/gabor_bank.h"
 #include "vision/disparity/v1_config.h"
 
@@ -30,15 +29,14 @@ struct PopulationDisparity {
   bool solved = false;
 };
 
-/// The population of binocular energy neurons of one pixel: kOrientations x kPhaseShifts of them,
-/// and how disparity is decoded from it.
+/// The population of binocular energy neurons of one pixel, orientations x phase shifts of them,
+/// and how disparity is decoded from it by centre of mass and intersection of constraints.
 class Population {
  public:
   /// @pre config.Validate() is empty
   explicit Population(const V1Config& config);
 
-  /// Mean energy below which a pixel of an octave (0 is full size) is textureless [grey levels].
-  float TexturelessEnergy(int octave) const;
+  float TexturelessEnergy(double octave) const { return energy_.TexturelessEnergy(octave); }
 
   /// Energy, normalisation and centre of mass. A textureless pixel has no constraints.
   /// @param left responses at a pixel
@@ -46,27 +44,46 @@ class Population {
   Constraints Decode(const SimpleCells& left, const SimpleCells& right,
                      float textureless_energy) const;
 
+  /// Numbers that a pixel gives to be pooled, and Decode's constraints as such.
+  static constexpr int floats() { return sizeof(Constraints) / sizeof(float); }
+  void Sense(const SimpleCells& left, const SimpleCells& right, float textureless_energy,
+             float* sums) const {
+    *reinterpret_cast<Constraints*>(sums) = Decode(left, right, textureless_energy);
+  }
+
   /// Intersection of constraints. Not solved where too few orientations count, or where they leave
   /// one direction open.
   PopulationDisparity Intersect(const Constraints& constraints) const;
+  PopulationDisparity Read(const float* pooled) const {
+    return Intersect(*reinterpret_cast<const Constraints*>(pooled));
+  }
 
  private:
-  using PerOrientation = std::array<float, kOrientations>;
-  using Energies = std::array<PerOrientation, kPhaseShifts>;
+  using Energies = BinocularEnergy::Energies;
 
-  Energies BinocularEnergy(const SimpleCells& left, const SimpleCells& right) const;
+  /// What the cells of a pixel do: their mean, and of each orientation the range over phase shifts.
+  struct Activity {
+    float mean;
+    PerOrientation low, high;
+  };
+
+  // Counts as BinocularEnergy::Magnitudes has them.
+  template <int kOrientationCount, int kShiftCount>
+  Constraints DecodeCounted(const SimpleCells& left, const SimpleCells& right,
+                            float textureless_energy) const;
+  template <int kOrientationCount, int kShiftCount>
+  Activity Survey(const Energies& energy) const;
   /// Disparity along each orientation: centre of mass over the phase shifts.
+  template <int kOrientationCount, int kShiftCount>
   PerOrientation CentreOfMass(const Energies& energy, const PerOrientation& low,
                               const PerOrientation& high) const;
 
   V1Config config_;
+  BinocularEnergy energy_;
   float threshold_;
   float subtract_;
-  std::array<float, kPhaseShifts> preferred_;  ///< disparity along the orientation [px]
-  std::array<float, kPhaseShifts> cos_phase_;
-  std::array<float, kPhaseShifts> sin_phase_;
-  PerOrientation nx_, ny_;  ///< directions of the orientations
-  PerOrientation nx_nx_, nx_ny_, ny_ny_;
+  PerOrientation nx_{}, ny_{};  ///< directions of the orientations
+  PerOrientation nx_nx_{}, nx_ny_{}, ny_ny_{};
 };
 
 }  // namespace horopter::vision

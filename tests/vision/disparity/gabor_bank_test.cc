@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <opencv2/core.hpp>
@@ -27,7 +29,7 @@ cv::Mat1f Wave(cv::Size size, double kx, double ky) {
 /// The filter as its formula says, as a double sum over the image.
 Complex Direct(const cv::Mat1f& image, int x, int y, int orientation, const V1Config& config) {
   const int radius = config.filter_px / 2;
-  const double theta = OrientationRad(orientation);
+  const double theta = OrientationRad(orientation, config.orientations);
   Complex sum = 0, wave_sum = 0, image_sum = 0;
   double envelope_sum = 0;
   for (int v = -radius; v <= radius; ++v) {
@@ -47,19 +49,34 @@ Complex Direct(const cv::Mat1f& image, int x, int y, int orientation, const V1Co
   return (sum - wave_sum.real() / envelope_sum * image_sum) / envelope_sum;
 }
 
-TEST(GaborBank, SeparableFiltersEqualTheirFormula) {
-  const V1Config config;
+class EveryBank : public ::testing::TestWithParam<const char*> {
+ protected:
+  const V1Config config_ = V1Config::Preset(GetParam());
+};
+
+INSTANTIATE_TEST_SUITE_P(GaborBank, EveryBank, ::testing::Values("paper_2009", "paper_2018"));
+
+TEST_P(EveryBank, SeparableFiltersEqualTheirFormula) {
   cv::RNG rng(3);
   cv::Mat1f image(23, 31);
   rng.fill(image, cv::RNG::UNIFORM, 0, 255);
-  const SimpleCellMap cells = GaborBank(config).Apply(image);
-  for (int i = 0; i < kOrientations; ++i) {
+  const SimpleCellMap cells = GaborBank(config_).Apply(image);
+  ASSERT_EQ(cells.orientations(), config_.orientations);
+  for (int i = 0; i < config_.orientations; ++i) {
     for (const cv::Point p :
          {cv::Point(15, 11), cv::Point(0, 0), cv::Point(30, 22), cv::Point(2, 20)}) {
-      const Complex expected = Direct(image, p.x, p.y, i, config);
+      const Complex expected = Direct(image, p.x, p.y, i, config_);
       EXPECT_LT(std::abs(Response(cells.row(p.y)[p.x], i) - expected), 1e-3)
           << "orientation " << i << " at " << p;
     }
+  }
+}
+
+TEST(GaborBank, Of2018HasNineOrientationsTwentyDegreesApart) {
+  const V1Config config = V1Config::Preset("paper_2018");
+  EXPECT_EQ(config.orientations, 9);
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_NEAR(OrientationRad(i, config.orientations), i * CV_PI / 9, 1e-12);
   }
 }
 
@@ -71,16 +88,17 @@ TEST(GaborBank, ConstantImageGivesNothing) {
   }
 }
 
-TEST(GaborBank, EachOrientationAnswersMostToItsOwnWaveWithHalfTheAmplitude) {
-  const V1Config config;
-  const GaborBank bank(config);
-  for (int wave = 0; wave < kOrientations; ++wave) {
-    const double k = 2 * CV_PI * config.peak_frequency;
-    const SimpleCellMap cells = bank.Apply(
-        Wave({41, 41}, k * std::cos(OrientationRad(wave)), k * std::sin(OrientationRad(wave))));
+TEST_P(EveryBank, EachOrientationAnswersMostToItsOwnWaveWithHalfTheAmplitude) {
+  const GaborBank bank(config_);
+  const int orientations = config_.orientations;
+  for (int wave = 0; wave < orientations; ++wave) {
+    const double k = 2 * CV_PI * config_.peak_frequency;
+    const double theta = OrientationRad(wave, orientations);
+    const SimpleCellMap cells =
+        bank.Apply(Wave({41, 41}, k * std::cos(theta), k * std::sin(theta)));
     const double own = std::abs(Response(cells.row(20)[20], wave));
     EXPECT_NEAR(own, 25, 1) << "orientation " << wave;
-    for (int i = 0; i < kOrientations; ++i) {
+    for (int i = 0; i < orientations; ++i) {
       if (i == wave) continue;
       EXPECT_LT(std::abs(Response(cells.row(20)[20], i)), own)
           << "wave " << wave << " filter " << i;
@@ -105,19 +123,31 @@ TEST(GaborBank, PhaseTurnsAsTheImageMoves) {
   EXPECT_NEAR(std::arg(turn), k * shift, 0.02);
 }
 
-TEST(SimpleCellMap, InterpolatesLinearlyUpToTheLastPixel) {
-  SimpleCellMap map({3, 2});
+/// A count with loops of its own, and one without.
+class SimpleCellMaps : public ::testing::TestWithParam<int> {};
+
+INSTANTIATE_TEST_SUITE_P(GaborBank, SimpleCellMaps, ::testing::Values(8, 9));
+
+TEST_P(SimpleCellMaps, InterpolateLinearlyUpToTheLastPixel) {
+  const int n = GetParam();
+  SimpleCellMap map({3, 2}, n);
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 3; ++x) {
-      for (int i = 0; i < kOrientations; ++i) {
-        map.row(y)[x].even[i] = static_cast<float>(x + 10 * y + 100 * i);
-        map.row(y)[x].odd[i] = -map.row(y)[x].even[i];
+      for (int i = 0; i < n; ++i) {
+        const auto value = static_cast<float>(x + 10 * y + 100 * i);
+        map.data(y)[2 * n * x + i] = value;
+        map.data(y)[2 * n * x + n + i] = -value;
       }
     }
   }
-  EXPECT_NEAR(map.At(1.25F, 0.5F).even[2], 1.25 + 5 + 200, 1e-4);
-  EXPECT_NEAR(map.At(1.25F, 0.5F).odd[2], -206.25, 1e-4);
-  EXPECT_FLOAT_EQ(map.At(2, 1).even[7], 2 + 10 + 700);
+  EXPECT_EQ(map.row(1)[2].even[7], 2 + 10 + 700);
+  EXPECT_EQ(map.row(1)[2].odd[1], -(2 + 10 + 100));
+  std::array<float, 2 * kMaxOrientations> cells;
+  map.At(1.25F, 0.5F, cells.data());
+  EXPECT_NEAR(cells[2], 1.25 + 5 + 200, 1e-4);
+  EXPECT_NEAR(cells[n + 2], -206.25, 1e-4);
+  map.At(2, 1, cells.data());
+  EXPECT_FLOAT_EQ(cells[7], 2 + 10 + 700);
 }
 
 }  // namespace

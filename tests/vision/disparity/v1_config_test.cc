@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "vision/disparity/binocular_energy.h"
 #include "vision/disparity/v1_energy.h"
 
 namespace horopter::vision {
@@ -17,6 +19,7 @@ TEST(V1Config, PresetsHold) {
   EXPECT_TRUE(V1Config::Preset("checked").Validate().empty());
   EXPECT_TRUE(V1Config::Preset("cautious").Validate().empty());
   EXPECT_TRUE(V1Config::Preset("paper_2009").Validate().empty());
+  EXPECT_TRUE(V1Config::Preset("paper_2018").Validate().empty());
 }
 
 TEST(V1Config, PaperPresetIsThePublishedModelAlone) {
@@ -30,13 +33,36 @@ TEST(V1Config, PaperPresetIsThePublishedModelAlone) {
   EXPECT_FALSE(paper.soft_threshold);
 }
 
+TEST(V1Config, PaperPresetOf2018IsThePublishedModelAlone) {
+  const V1Config paper = V1Config::Preset("paper_2018");
+  EXPECT_EQ(paper.pyramid, PyramidStep::kHalfOctave);
+  EXPECT_EQ(paper.scales, 9);
+  EXPECT_EQ(paper.orientations, 9);
+  EXPECT_EQ(paper.filter_px, 11);
+  EXPECT_DOUBLE_EQ(paper.peak_frequency, 1 / 3.8);
+  EXPECT_NEAR(paper.envelope_sigma_px,
+              1.2 * std::sqrt(2 * std::log(2)) / (2 * M_PI * paper.peak_frequency / 3), 0.01);
+  EXPECT_EQ(paper.phase_shifts, 11);
+  EXPECT_EQ(paper.max_disparity_px, 0.76);
+  EXPECT_EQ(paper.normalisation_px, 5);
+  EXPECT_EQ(paper.energy_exponent, 0.18);
+  EXPECT_EQ(paper.decoding, V1Decoding::kLinear);
+  EXPECT_DOUBLE_EQ(paper.pooling_sigma_px, 11 / 6.0);
+  EXPECT_TRUE(paper.fill_in);
+  EXPECT_EQ(paper.iterations, 1);
+  EXPECT_EQ(paper.median_px, 0);
+  EXPECT_EQ(paper.left_right_px, 0);
+  EXPECT_EQ(paper.min_correlation, -1);
+  EXPECT_EQ(paper.min_segment_px, 0);
+}
+
 TEST(V1Config, UnknownPresetNamesTheKnown) {
   try {
     V1Config::Preset("quick");
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("\"quick\""));
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("checked, cautious, paper_2009"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("checked, cautious, paper_2009, paper_2018"));
   }
 }
 
@@ -61,14 +87,24 @@ TEST(V1Config, EveryBadFieldIsReportedAtOnce) {
   bad.max_kept_octaves = -1;
   bad.min_correlation = 1;
   bad.left_right_px = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(bad.Validate().size(), 19U);
+  bad.normalisation_px = 4;
+  bad.orientations = kMaxOrientations + 1;
+  bad.min_orientations = kMaxOrientations + 2;
+  bad.phase_shifts = 2;
+  bad.energy_exponent = 0;
+  bad.readout_gain = 0;
+  bad.min_pooled = 1.5;
+  bad.fill = {0, -1, 0};
+  EXPECT_EQ(bad.Validate().size(), 28U);
   try {
     const V1EnergyEstimator estimator(bad);
     FAIL() << "accepted";
   } catch (const hardware::ConfigError& error) {
-    EXPECT_EQ(error.errors().size(), 19U);
+    EXPECT_EQ(error.errors().size(), 28U);
     EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.filter_px = 10: must be odd, 3 to 63"));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.left_right_px = inf"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.orientations = 17: must be 2 to 16"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("v1.fill.passes = 0: must be 1 to 10"));
   }
 }
 

@@ -44,6 +44,17 @@ TEST_P(KnownShift, IsRecoveredToSubPixel) {
   EXPECT_GT(paper.density, 0.85);
 }
 
+TEST_P(KnownShift, IsRecoveredByTheModelOf2018) {
+  const auto [length, direction] = GetParam();
+  const double dx = length * std::cos(direction * M_PI / 4);
+  const double dy = length * std::sin(direction * M_PI / 4);
+  const SyntheticPair pair = ShiftedPair(kSize, dx, dy);
+  const DisparityField field = Preset("paper_2018").Estimate(pair.left, pair.right);
+  const WarpScore score = ScoreWarp(field, Shift(dx, dy));
+  EXPECT_LT(score.median_error_px, 0.1);
+  EXPECT_EQ(score.density, 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(V1Energy, KnownShift,
                          ::testing::Combine(::testing::Values(0.25, 1.3, 7.6, 20.0),
                                             ::testing::Range(0, 8)));
@@ -71,6 +82,75 @@ TEST(V1Energy, EveryOctaveDoublesTheReach) {
   }
 }
 
+TEST(V1Energy, HalfOctavesReachTheSumOfTheirLevels) {
+  // +-0.76 times 1, 2.4, 4.4, 7.2, 11.2, .. px; the coarser levels begin where finer ones end.
+  for (int scales = 1; scales <= 7; ++scales) {
+    V1Config config = V1Config::Preset("paper_2018");
+    config.scales = scales;
+    config.fill_in = false;
+    config.min_pooled = 0.5;
+    double reach = 0;
+    for (int k = 0; k < scales; ++k) reach += config.max_disparity_px * std::pow(M_SQRT2, k);
+    for (const int direction : {0, 3, 4, 6}) {
+      const double dx = 0.7 * reach * std::cos(direction * M_PI / 4);
+      const double dy = 0.7 * reach * std::sin(direction * M_PI / 4);
+      const SyntheticPair pair = ShiftedPair(kSize, dx, dy);
+      const WarpScore score =
+          ScoreWarp(V1EnergyEstimator(config).Estimate(pair.left, pair.right), Shift(dx, dy));
+      EXPECT_LT(score.median_error_px, 0.25) << scales << " scales, direction " << direction;
+      EXPECT_GT(score.density, 0.9) << scales << " scales, direction " << direction;
+    }
+  }
+}
+
+TEST(V1Energy, OctavesAndHalfOctavesAgreeOnADecoding) {
+  // The centre of mass over half octaves, and the linear readout over octaves.
+  const SyntheticPair pair = ShiftedPair(kSize, -6.3, 2.1);
+  V1Config config;
+  config.pyramid = PyramidStep::kHalfOctave;
+  config.scales = 9;
+  const WarpScore half =
+      ScoreWarp(V1EnergyEstimator(config).Estimate(pair.left, pair.right), Shift(-6.3, 2.1));
+  EXPECT_LT(half.median_error_px, 0.05);
+  EXPECT_GT(half.density, 0.85);
+
+  config = V1Config();
+  config.decoding = V1Decoding::kLinear;
+  config.max_disparity_px = 1;
+  const WarpScore linear =
+      ScoreWarp(V1EnergyEstimator(config).Estimate(pair.left, pair.right), Shift(-6.3, 2.1));
+  EXPECT_LT(linear.median_error_px, 0.05);
+  EXPECT_GT(linear.density, 0.85);
+}
+
+TEST(V1Energy, NormalisedInputForgivesOneEyesLightAndContrast) {
+  const SyntheticPair pair = ShiftedPair(kSize, 4.4, -1.2);
+  cv::Mat1b dim;
+  pair.right.convertTo(dim, CV_8U, 0.5, 30);
+  const WarpScore score =
+      ScoreWarp(Preset("paper_2018").Estimate(pair.left, dim), Shift(4.4, -1.2));
+  EXPECT_LT(score.median_error_px, 0.1);
+}
+
+TEST(V1Energy, FillInMarksWhatNobodySaw) {
+  // Plain ground right of x = 96: what lies there is filled in from the texture beside it.
+  SyntheticPair pair = ShiftedPair(kSize, -3.3, 0);
+  pair.left.colRange(96, kSize.width).setTo(120);
+  pair.right.colRange(93, kSize.width).setTo(120);
+  V1Config config;
+  config.fill_in = true;
+  const DisparityField field = V1EnergyEstimator(config).Estimate(pair.left, pair.right);
+  config.fill_in = false;
+  const DisparityField seen = V1EnergyEstimator(config).Estimate(pair.left, pair.right);
+  EXPECT_TRUE(seen.filled.empty());
+  ASSERT_EQ(cv::countNonZero(field.valid), static_cast<int>(field.valid.total()));
+  EXPECT_EQ(cv::countNonZero(field.filled.colRange(96 + 36, kSize.width) == 0), 0);
+  EXPECT_LT(cv::countNonZero(field.filled.colRange(8, 88)), 0.1 * 80 * kSize.height);
+  EXPECT_NEAR(field.dx(72, 150), -3.3, 0.3);
+  EXPECT_NEAR(field.dy(72, 150), 0, 0.3);
+  EXPECT_EQ(cv::norm(field.confidence, cv::NORM_INF, field.filled), 0);
+}
+
 TEST(V1Energy, FollowsAZoomAndARotation) {
   const double angle = 0.03;
   const double zoom = 1.04;
@@ -82,8 +162,10 @@ TEST(V1Energy, FollowsAZoomAndARotation) {
   const WarpScore checked = ScoreWarp(Preset("checked").Estimate(pair.left, pair.right), H);
   EXPECT_LT(checked.median_error_px, 0.06);
   EXPECT_GT(checked.density, 0.9);
-  const WarpScore paper = ScoreWarp(Preset("paper_2009").Estimate(pair.left, pair.right), H);
-  EXPECT_LT(paper.median_error_px, 0.12);
+  for (const char* preset : {"paper_2009", "paper_2018"}) {
+    const WarpScore paper = ScoreWarp(Preset(preset).Estimate(pair.left, pair.right), H);
+    EXPECT_LT(paper.median_error_px, 0.12) << preset;
+  }
 }
 
 TEST(V1Energy, ConfidenceIsLowerWhereTheEyesSeeDifferentThings) {
@@ -102,7 +184,7 @@ TEST(V1Energy, ConfidenceIsLowerWhereTheEyesSeeDifferentThings) {
 }
 
 TEST(V1Energy, PlainImagesHaveNoValidPixel) {
-  for (const char* preset : {"checked", "paper_2009"}) {
+  for (const char* preset : {"checked", "paper_2009", "paper_2018"}) {
     for (const int grey : {0, 120, 255}) {
       const cv::Mat1b plain(kSize, static_cast<unsigned char>(grey));
       EXPECT_EQ(cv::countNonZero(Preset(preset).Estimate(plain, plain).valid), 0) << preset;
@@ -172,7 +254,7 @@ TEST(V1Energy, AnySizeIsAccepted) {
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(3, 5), cv::Size(1, 40), cv::Size(40, 1),
                               cv::Size(17, 9), cv::Size(97, 61)}) {
     const cv::Rect part(cv::Point(0, 0), size);
-    for (const char* preset : {"checked", "paper_2009"}) {
+    for (const char* preset : {"checked", "paper_2009", "paper_2018"}) {
       const DisparityField field = Preset(preset).Estimate(pair.left(part), pair.right(part));
       EXPECT_EQ(field.dx.size(), size);
       EXPECT_EQ(field.dy.size(), size);
