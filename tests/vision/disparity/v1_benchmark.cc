@@ -31,6 +31,7 @@ void Sizes(benchmark::internal::Benchmark* benchmark) {
 
 BENCHMARK_CAPTURE(Estimate, v1_checked, "v1", "checked")->Apply(Sizes);
 BENCHMARK_CAPTURE(Estimate, v1_paper_2009, "v1", "paper_2009")->Apply(Sizes);
+BENCHMARK_CAPTURE(Estimate, v1_paper_2018, "v1", "paper_2018")->Apply(Sizes);
 BENCHMARK_CAPTURE(Estimate, dis_medium, "dis", "medium")->Apply(Sizes);
 
 }  // namespace
