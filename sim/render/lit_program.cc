@@ -67,8 +67,13 @@ std::string Varyings(const LitProgramKind& kind, int shadows) {
   return text;
 }
 
+/// textureLod and textureSize came with GLSL 1.30.
+std::string Version(const LitProgramKind& kind) {
+  return kind.own_levels ? "#version 130\n" : "#version 120\n";
+}
+
 std::string VertexShader(const LitProgramKind& kind, int shadows) {
-  std::string text = "#version 120\nuniform vec3 material;\nuniform vec3 image_scale;\n";
+  std::string text = Version(kind) + "uniform vec3 material;\nuniform vec3 image_scale;\n";
   for (int k = 0; k < shadows; ++k) text += fmt::format("uniform mat4 map_from_eye{};\n", k);
   text += Varyings(kind, shadows);
   text +=
@@ -96,13 +101,38 @@ std::string VertexShader(const LitProgramKind& kind, int shadows) {
   return text + "}\n";
 }
 
+/// The level of the mipmap for the image's coordinates, as OpenGL 2.1 recommends (3.8.8): from the
+/// longer of the ways, in texels, that a step of a pixel along x or y makes.
+std::string OwnLevel(bool cube) {
+  std::string text = cube ? "  vec3 size = abs(image_at);\n"
+                            "  vec3 at = image_at / max(size.x, max(size.y, size.z)) *\n"
+                            "            (0.5 * float(textureSize(image, 0).x));\n"
+                          : "  vec2 at = image_at.xy * vec2(textureSize(image, 0));\n";
+  return text +
+         "  float way = max(dot(dFdx(at), dFdx(at)), dot(dFdy(at), dFdy(at)));\n"
+         "  float level = 0.5 * log2(max(way, 1.0));\n";
+}
+
+/// The image's colour, from 0 to 255.
+std::string Paint(const LitProgramKind& kind) {
+  if (kind.image == ImageKind::kNone) return "  vec3 paint = vec3(255.0);\n";
+  const bool cube = kind.image == ImageKind::kCube;
+  const char* at = cube ? "image_at" : "image_at.xy";
+  if (kind.own_levels) {
+    return OwnLevel(cube) +
+           fmt::format("  vec3 paint = 255.0 * textureLod(image, {}, level).rgb;\n", at);
+  }
+  return fmt::format("  vec3 paint = 255.0 * {}(image, {}).rgb;\n",
+                     cube ? "textureCube" : "texture2D", at);
+}
+
 std::string FragmentShader(const LitProgramKind& kind, int shadows) {
   // One pass alone is rounded by the frame buffer, after blending.
   const char* pass = shadows > 0 ? "floor({} * paint + 0.5)" : "{} * paint";
   const auto rounded = [pass](const std::string& light) {
     return fmt::format(fmt::runtime(pass), light);
   };
-  std::string text = "#version 120\nuniform float alpha;\n" + Varyings(kind, shadows);
+  std::string text = Version(kind) + "uniform float alpha;\n" + Varyings(kind, shadows);
   if (kind.image == ImageKind::kCube) {
     text += "uniform samplerCube image;\n";
   } else if (kind.image != ImageKind::kNone) {
@@ -110,16 +140,7 @@ std::string FragmentShader(const LitProgramKind& kind, int shadows) {
   }
   for (int k = 0; k < shadows; ++k) text += fmt::format("uniform sampler2DShadow map{};\n", k);
   text += "void main() {\n";
-  switch (kind.image) {
-    case ImageKind::kNone:
-      text += "  vec3 paint = vec3(255.0);\n";
-      break;
-    case ImageKind::kCube:
-      text += "  vec3 paint = 255.0 * textureCube(image, image_at).rgb;\n";
-      break;
-    default:
-      text += "  vec3 paint = 255.0 * texture2D(image, image_at.xy).rgb;\n";
-  }
+  text += Paint(kind);
   text += fmt::format("  vec3 sum = {};\n", rounded("base"));
   int k = 0;
   for (const LightKind& light : kind.lights) {
@@ -164,6 +185,10 @@ GLuint Link(const GlFunctions& gl, GLuint vertex, GLuint fragment) {
 }
 
 }  // namespace
+
+bool FindsOwnLevels(std::string_view gl_renderer) {
+  return gl_renderer.find("llvmpipe") == std::string_view::npos;
+}
 
 LitProgram::LitProgram(const GlFunctions& gl, const LitProgramKind& kind) : gl_(gl) {
   const auto shadows = static_cast<int>(std::count_if(

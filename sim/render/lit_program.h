@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <string_view>
 #include <vector>
 
 #include "sim/render/gl_functions.h"
@@ -23,8 +24,16 @@ struct LitProgramKind {
   ImageKind image = ImageKind::kNone;
   bool shiny = false;
   std::vector<LightKind> lights;
+  /// The image's mipmap level is found by the program, not by the driver (FindsOwnLevels).
+  bool own_levels = false;
   auto operator<=>(const LitProgramKind&) const = default;
 };
+
+/// Whether programs should find the mipmap level of an image themselves. OpenGL leaves its formula
+/// to drivers, and pictures depend on it. llvmpipe, the renderer of every day, comes within 0.05 of
+/// the one that OpenGL recommends; others are made to take it (results/paper/render_agreement.md).
+/// @param gl_renderer what the driver calls itself
+bool FindsOwnLevels(std::string_view gl_renderer);
 
 /// A GLSL program that lights a surface once for all lights, as the fixed pipeline of OpenGL 2.1
 /// does in a pass per shadow light (OpenGL 2.1 specification, 2.14.1): per vertex, clamped, times

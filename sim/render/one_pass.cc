@@ -57,7 +57,11 @@ ImageKind ImageKindOf(const mjvGeom& geom, const mjrContext& mujoco) {
 }  // namespace
 
 OnePass::OnePass(const GlFunctions& gl, const mjrContext& mujoco)
-    : gl_(gl), mujoco_(mujoco), shapes_(gl, mujoco), shadows_(gl, mujoco, shapes_) {}
+    : gl_(gl),
+      mujoco_(mujoco),
+      shapes_(gl, mujoco),
+      shadows_(gl, mujoco, shapes_),
+      own_levels_(FindsOwnLevels(reinterpret_cast<const char*>(gl.GetString(GL_RENDERER)))) {}
 
 std::string OnePass::CannotDraw(const mjvScene& scene) {
   if (scene.flags[mjRND_FOG] || scene.flags[mjRND_WIREFRAME]) return "fog or wire frame";
@@ -178,7 +182,7 @@ void OnePass::SetNumber(const mjvScene& scene, int geom) const {
 }
 
 const LitProgram& OnePass::ProgramFor(const mjvScene& scene, const mjvGeom& geom, bool opaque) {
-  LitProgramKind kind{ImageKindOf(geom, mujoco_), geom.specular > 0, {}};
+  LitProgramKind kind{ImageKindOf(geom, mujoco_), geom.specular > 0, {}, own_levels_};
   for (int i = 0; i < scene.nlight; ++i) {
     kind.lights.push_back({scene.lights[i].directional != 0, opaque && CastsShadow(scene, i)});
   }

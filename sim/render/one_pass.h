@@ -74,6 +74,7 @@ class OnePass {
   const mjrContext& mujoco_;
   GeomShapes shapes_;
   ShadowMaps shadows_;
+  bool own_levels_;
   std::map<LitProgramKind, std::unique_ptr<LitProgram>> programs_;
   const LitProgram* in_use_ = nullptr;
   Eigen::Matrix4f world_from_eye_;
