@@ -11,7 +11,6 @@
 namespace horopter::vision {
 namespace {
 
-constexpr int kColumnsAtOnce = 16;
 constexpr int kRowsAtOnce = 8;
 /// Rows whose lanes are pooled downwards while they are still in the cache.
 constexpr int kStripRows = 16;
@@ -111,8 +110,7 @@ void CandidateSearch::FillLanes(const PoolingWeights& weights, Fill fill) {
 
 void CandidateSearch::Run(const ViewPyramid& from, const ViewPyramid& to,
                           const SearchBounds& bounds, DisparityField& field) {
-  const int coarsest = std::min(config_.search_octave, from.size() - 1);
-  const int finest = std::min(config_.finest_octave, coarsest);
+  const int coarsest = from.size() - 1, finest = from.finest();
   for (int octave = coarsest; octave >= finest; --octave) {
     const int coarse_width = width_, coarse_height = height_;
     Enter(from[octave], to[octave]);
@@ -152,6 +150,7 @@ void CandidateSearch::Enter(const ViewOctave& from, const ViewOctave& to) {
   hypothesis_x_.Resize(width_, height_);
   hypothesis_y_.Resize(width_, height_);
   best_.Resize(width_, height_);
+  winner_.Resize(width_, height_);
   lanes_.Resize(width_, height_, kLanes);
   other_.Resize(width_, height_);
 }
@@ -161,17 +160,20 @@ void CandidateSearch::SearchEverything(int octave, const SearchBounds& bounds) {
   const double pixel = 1 << octave;
   const auto below = [pixel](double px) { return static_cast<int>(std::floor(px / pixel)); };
   const auto above = [pixel](double px) { return static_cast<int>(std::ceil(px / pixel)); };
-  const Range everything{below(bounds.low_x), above(bounds.high_x), below(bounds.low_y),
-                         above(bounds.high_y)};
+  // No pixel has a match further away than the image is wide.
+  const auto reachable = [](int px, int side) { return std::clamp(px, 1 - side, side - 1); };
+  const Range everything{
+      reachable(below(bounds.low_x), width_), reachable(above(bounds.high_x), width_),
+      reachable(below(bounds.low_y), height_), reachable(above(bounds.high_y), height_)};
   SearchRange(everything);
   SearchRange(Likely(everything));
-  TakeWinners();
 }
 
 void CandidateSearch::SearchRange(const Range& range) {
   for (int dy = range.low_y; dy <= range.high_y; ++dy) {
     CompeteShifts(range.low_x, range.high_x, dy * kHypothesisSteps, false, dy == range.low_y);
   }
+  TakeWinners();
 }
 
 CandidateSearch::Range CandidateSearch::Likely(const Range& range) {
@@ -189,8 +191,8 @@ CandidateSearch::Range CandidateSearch::Likely(const Range& range) {
     return std::pair(std::max(low, static_cast<int>(SampleQuantile(kShare)) - kMore),
                      std::min(high, static_cast<int>(SampleQuantile(1 - kShare)) + kMore));
   };
-  const auto [low_x, high_x] = spread(other_.dx.data(), range.low_x, range.high_x);
-  const auto [low_y, high_y] = spread(other_.dy.data(), range.low_y, range.high_y);
+  const auto [low_x, high_x] = spread(field_.dx.data(), range.low_x, range.high_x);
+  const auto [low_y, high_y] = spread(field_.dy.data(), range.low_y, range.high_y);
   return {low_x, high_x, low_y, high_y};
 }
 
@@ -206,10 +208,10 @@ void CandidateSearch::Double(int coarse_width, int coarse_height) {
   DoubleComponent(field_.dy.data(), coarse_width, coarse_height, other_.dy.data(), width_, height_);
   std::swap(field_, other_);
   other_.Resize(width_, height_);
-  QuantiseHypotheses();
 }
 
 void CandidateSearch::Explore() {
+  QuantiseHypotheses();
   sample_.clear();
   for (int y = 0; y < height_; y += 2) {
     const float* row = field_.dx.data() + static_cast<std::ptrdiff_t>(y) * width_;
@@ -225,6 +227,7 @@ void CandidateSearch::Explore() {
 }
 
 void CandidateSearch::CompeteWithNeighbours(bool try_steps) {
+  QuantiseHypotheses();
   CandidateList list;
   bool first = true;
   const auto finish = [&] {
@@ -265,9 +268,12 @@ void CandidateSearch::Compete(const Candidates& candidates, bool first) {
                             .scores = lanes_.data()};
   FillLanes(score_weights_, [&](int y) { kernels_.score_neighbours(score, y); });
   KeepTask keep = Keep(first);
-  keep.candidates = &candidates;
-  keep.old_dx = field_.dx.data();
-  keep.old_dy = field_.dy.data();
+  constexpr float kStep = 1.0F / kHypothesisSteps;
+  for (int k = 0; k < kLanes; ++k) {
+    origins_.push_back({candidates.from_x[k], candidates.from_y[k],
+                        kStep * static_cast<float>(candidates.move_x[k]),
+                        kStep * static_cast<float>(candidates.move_y[k]), true, true});
+  }
   if (first) keep.favour_own = static_cast<std::int16_t>(config_.favour_own * kScoreOne);
   ForColumns([&](int x_begin, int x_end) { kernels_.keep_best(keep, x_begin, x_end); });
 }
@@ -284,9 +290,10 @@ void CandidateSearch::CompeteShifts(int first_dx, int last_dx, int move_y, bool 
                           .scores = lanes_.data()};
     FillLanes(score_weights_, [&](int y) { kernels_.score_shifts(score, y); });
     KeepTask keep = Keep(first);
-    keep.first_dx = dx;
-    keep.move_y = move_y;
-    keep.old_dy = from_field ? field_.dy.data() : nullptr;
+    for (int k = 0; k < kLanes; ++k) {
+      origins_.push_back({0, 0, static_cast<float>(dx + k),
+                          static_cast<float>(move_y) / kHypothesisSteps, false, from_field});
+    }
     keep.lanes = std::min(kLanes, last_dx - dx + 1);
     ForColumns([&](int x_begin, int x_end) { kernels_.keep_best(keep, x_begin, x_end); });
     first = false;
@@ -294,13 +301,14 @@ void CandidateSearch::CompeteShifts(int first_dx, int last_dx, int move_y, bool 
 }
 
 KeepTask CandidateSearch::Keep(bool first) {
+  if (first) origins_.clear();
   KeepTask task{};
   task.pool = Columns(score_weights_);
   task.lanes = kLanes;
   task.first = first;
+  task.lane_0 = static_cast<std::int32_t>(origins_.size());
   task.best = best_.data();
-  task.dx = other_.dx.data();
-  task.dy = other_.dy.data();
+  task.winner = winner_.data();
   return task;
 }
 
@@ -321,7 +329,6 @@ void CandidateSearch::Refine() {
   solve.dx = field_.dx.data();
   solve.dy = field_.dy.data();
   ForColumns([&](int x_begin, int x_end) { kernels_.solve(solve, x_begin, x_end); });
-  QuantiseHypotheses();
 }
 
 void CandidateSearch::Smooth() {
@@ -352,8 +359,18 @@ void CandidateSearch::Median() {
 }
 
 void CandidateSearch::TakeWinners() {
+  ForRows([&](int y) {
+    for (int x = 0; x < width_; ++x) {
+      const std::ptrdiff_t pixel = static_cast<std::ptrdiff_t>(y) * width_ + x;
+      const Origin& origin = origins_[winner_.data()[pixel]];
+      const std::ptrdiff_t from =
+          static_cast<std::ptrdiff_t>(std::clamp(y + origin.from_y, 0, height_ - 1)) * width_ +
+          std::clamp(x + origin.from_x, 0, width_ - 1);
+      other_.dx.data()[pixel] = (origin.of_x ? field_.dx.data()[from] : 0) + origin.add_x;
+      other_.dy.data()[pixel] = (origin.of_y ? field_.dy.data()[from] : 0) + origin.add_y;
+    }
+  });
   std::swap(field_, other_);
-  QuantiseHypotheses();
 }
 
 void CandidateSearch::QuantiseHypotheses() {

@@ -33,8 +33,8 @@ class CandidateSearch {
 
   /// The field from one view to the other. Every pixel has a disparity and a confidence: the pooled
   /// correlation of its last competition, 0 to 1; `valid` is 255 where it reaches min_coherence.
-  /// At finest_octave > 0 the field has that octave's size and its pixels as unit.
-  /// @param from, to of the same sizes
+  /// It has the size of the views' finest octave that has cells, and its pixels as unit.
+  /// @param from, to of the same sizes, with cells
   void Run(const ViewPyramid& from, const ViewPyramid& to, const SearchBounds& bounds,
            DisparityField& field);
 
@@ -48,6 +48,13 @@ class CandidateSearch {
   /// Whole disparities of an octave, ends included.
   struct Range {
     int low_x, high_x, low_y, high_y;
+  };
+
+  /// What a hypothesis is: the disparity of a pixel nearby, or none of it, and something added.
+  struct Origin {
+    int from_x, from_y;  ///< relative to the pixel
+    float add_x, add_y;
+    bool of_x, of_y;  ///< added to that pixel's disparity, or alone
   };
 
   void Enter(const ViewOctave& from, const ViewOctave& to);
@@ -89,6 +96,10 @@ class CandidateSearch {
   int height_ = 0;
   Map field_, other_;
   PaddedMap<std::int16_t> hypothesis_x_, hypothesis_y_, best_, lanes_;
+  /// Who leads the competition under way: an index into origins_, which has one for every lane so
+  /// far.
+  PaddedMap<std::int32_t> winner_;
+  std::vector<Origin> origins_;
   std::vector<float> sample_;
 };
 

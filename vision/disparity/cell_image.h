@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "vision/disparity/closed_form_kernels.h"
 #include "vision/disparity/closed_form_config.h"
+#include "vision/disparity/closed_form_kernels.h"
 
 namespace horopter::vision {
 

@@ -51,6 +51,9 @@ struct ClosedFormConfig {
   double favour_own = 0.02;
   /// The last octave that is matched; the field is then doubled to full size. 0: full size.
   int finest_octave = 0;
+  /// Octaves with more noise than this are not matched [grey levels]; each has about a third of the
+  /// one before (NoiseLevel measures it). Receptive fields as small as these are drowned by it.
+  double max_noise_grey = 2.5;
 
   // --- Pooling: domain transform filters of the left image's colours ---
 
@@ -82,7 +85,7 @@ struct ClosedFormConfig {
   // --- Checks ---
 
   /// Pooled binocular correlation of the winning hypothesis below which it is invalid.
-  double min_coherence = 0.31;
+  double min_coherence = 0.37;
   /// Largest distance between a pixel and where its match points back to [px]; 0 = no check, and
   /// half the time.
   double left_right_px = 0.8;

@@ -8,6 +8,8 @@
 
 namespace horopter::vision {
 
+/// Columns that keep_best and solve take at once.
+inline constexpr int kColumnsAtOnce = 64;
 /// Lanes of a pixel: as many hypotheses are scored at once, and as many numbers pooled.
 inline constexpr int kLanes = 16;
 /// Orientations a cell can hold; their real parts are bytes 0 to 7, the imaginary ones 8 to 15.
@@ -99,7 +101,7 @@ struct ProductTask {
 };
 
 /// Lanes pooled along rows and down the columns; the way back up is the consumer's, which has each
-/// pixel's final lanes at hand then.
+/// pixel's final lanes at hand then and writes none of them back.
 struct ColumnPool {
   std::int16_t* lanes;
   int width, height;
@@ -107,18 +109,15 @@ struct ColumnPool {
   const PoolingWeights* weights;
 };
 
-/// Takes over, for every pixel, the best of the pooled hypotheses if it beats the best so far.
+/// Notes, for every pixel, the best of the pooled hypotheses if it beats the best so far.
 struct KeepTask {
   ColumnPool pool;
-  const Candidates* candidates;  ///< null: the scores are of a ShiftTask
-  int first_dx;
-  int move_y;
-  const float *old_dx, *old_dy;  ///< what the hypotheses were; null = 0
-  int lanes;                     ///< how many of the hypotheses count
-  bool first;                    ///< nothing to beat yet
-  std::int16_t favour_own;       ///< added to lane 0
+  int lanes;                ///< how many of the hypotheses count
+  bool first;               ///< nothing to beat yet
+  std::int16_t favour_own;  ///< added to lane 0
+  std::int32_t lane_0;      ///< the number of the first hypothesis; the others follow
   std::int16_t* best;
-  float *dx, *dy;
+  std::int32_t* winner;  ///< number of the best hypothesis
 };
 
 /// Moves the field by the intersection of the constraints that the pooled products' phases give.
@@ -145,7 +144,8 @@ struct SmoothTask {
 inline constexpr int PaddedRow(int width, int radius) { return (width + 2 * radius + 16) / 8 * 8; }
 
 /// The inner loops of the closed form for one instruction set. Rows and column blocks are
-/// independent of each other; all sets give the same bits.
+/// independent of each other, keep_best and solve take kColumnsAtOnce at most; all sets give the
+/// same bits.
 /// Scratch is PaddedRow(width, radius) floats, times orientations + 2 for filter_row, 2 for
 /// smooth_row. Maps that kernels read end with 8 more values than pixels.
 struct ClosedFormKernels {

@@ -15,7 +15,8 @@ struct DisparityField {
   cv::Mat1f dy;          ///< y_right - y_left [px]; NaN where invalid
   cv::Mat1f confidence;  ///< 0 (none) to 1; what it measures is stated by the method
   cv::Mat1b valid;       ///< 255 where dx and dy hold, else 0
-  /// 255 where they were not matched but filled in from around; empty where nothing was asked to be.
+  /// 255 where they were not matched but filled in from around; empty where nothing was asked to
+  /// be.
   cv::Mat1b filled = {};
 };
 

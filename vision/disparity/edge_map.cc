@@ -9,21 +9,21 @@
 namespace horopter::vision {
 namespace {
 
-/// Sum over channels of |a - b|, for a row of pixels.
-void Differences(const std::uint8_t* a, const std::uint8_t* b, int count, int channels,
+/// Sum over channels of |a - b|, less `ignored`, for a row of pixels.
+void Differences(const std::uint8_t* a, const std::uint8_t* b, int count, int channels, int ignored,
                  std::uint8_t* out) {
   for (int x = 0; x < count; ++x) {
     const int i = x * channels;
     const int sum = channels == 1 ? 3 * std::abs(a[i] - b[i])
                                   : std::abs(a[i] - b[i]) + std::abs(a[i + 1] - b[i + 1]) +
                                         std::abs(a[i + 2] - b[i + 2]);
-    out[x] = static_cast<std::uint8_t>(std::min(sum, 255));
+    out[x] = static_cast<std::uint8_t>(std::clamp(sum - ignored, 0, 255));
   }
 }
 
 }  // namespace
 
-void FindEdges(const cv::Mat& image, EdgeMap& edges) {
+void FindEdges(const cv::Mat& image, int ignored, EdgeMap& edges) {
   const int width = image.cols, channels = image.channels();
   edges.x.Resize(width, image.rows);
   edges.y.Resize(width, image.rows);
@@ -31,8 +31,8 @@ void FindEdges(const cv::Mat& image, EdgeMap& edges) {
     const std::uint8_t* row = image.ptr(y);
     std::uint8_t* to_left = edges.x.data() + static_cast<std::ptrdiff_t>(y) * width;
     to_left[0] = 0;
-    Differences(row + channels, row, width - 1, channels, to_left + 1);
-    Differences(row, image.ptr(std::max(0, y - 1)), width, channels,
+    Differences(row + channels, row, width - 1, channels, ignored, to_left + 1);
+    Differences(row, image.ptr(std::max(0, y - 1)), width, channels, ignored,
                 edges.y.data() + static_cast<std::ptrdiff_t>(y) * width);
   }
 }

@@ -17,7 +17,8 @@ struct EdgeMap {
 };
 
 /// @param image CV_8UC1 or CV_8UC3
-void FindEdges(const cv::Mat& image, EdgeMap& edges);
+/// @param ignored what noise makes, taken off every difference
+void FindEdges(const cv::Mat& image, int ignored, EdgeMap& edges);
 
 /// The weights of a domain transform filter (Gastal & Oliveira, SIGGRAPH 2011, recursive form, one
 /// pass): exp(-sqrt(2) / deviation_px * (1 + deviation_px / colour_grey * difference)).

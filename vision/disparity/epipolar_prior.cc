@@ -61,7 +61,8 @@ std::vector<hardware::FieldError> EpipolarPriorConfig::Validate() const {
 
 EpipolarPrior::EpipolarPrior(const hardware::CameraModel& left, const hardware::CameraModel& right,
                              const RelativePose& pose, const EpipolarPriorConfig& config)
-    : config_((hardware::ThrowIfAny(config.Validate()), config)) {
+    : config_((hardware::ThrowIfAny(config.Validate()), config)),
+      size_(left.width(), left.height()) {
   RequireCovariance(pose.covariance);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   bounds_ = {kInfinity, -kInfinity, kInfinity, -kInfinity};

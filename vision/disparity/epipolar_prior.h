@@ -51,7 +51,11 @@ class EpipolarPrior {
   /// Whether anything is known of any pixel.
   bool known() const { return bounds_.low_x <= bounds_.high_x; }
 
+  /// Of the left camera's images.
+  cv::Size size() const { return size_; }
+
   /// Whether a disparity is allowed at a pixel.
+  /// @pre it lies in the left camera's image
   bool Allows(int x, int y, float dx, float dy) const;
 
   /// The share of a field's valid pixels that is not allowed; 0 where none is valid. A large share
@@ -75,6 +79,7 @@ class EpipolarPrior {
   cv::Mat1b Contradicted(const DisparityField& field) const;
 
   EpipolarPriorConfig config_;
+  cv::Size size_;
   int columns_ = 0;
   int rows_ = 0;
   std::vector<Line> lines_;

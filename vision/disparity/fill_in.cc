@@ -71,7 +71,7 @@ void FillIn(const cv::Mat& guide, const FillInConfig& config, DisparityField& fi
   field.filled = cv::Mat1b::zeros(field.valid.size());
   if (cv::countNonZero(field.valid) == 0) return;
   EdgeMap edges;
-  FindEdges(guide, edges);
+  FindEdges(guide, 0, edges);
   CarriedMap map = Valid(field);
   for (int pass = 0; pass < config.passes; ++pass) {
     // Each pass half as far, so that rows and columns do not show (Gastal & Oliveira, eq. 14).

@@ -4,6 +4,7 @@
 // Pooling (closed_form_loops.h says how it is compiled).
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include "vision/disparity/closed_form_kernels.h"
@@ -39,20 +40,26 @@ inline void PoolDown(const ColumnPool& p, int y_begin, int y_end, int x_begin, i
   }
 }
 
-/// The way back up, one pixel: its lanes are final then.
-inline S16 PoolUp(const ColumnPool& p, int x, int y) {
+/// Final lanes of the row below, for the columns of a block.
+using RowBelow = std::array<S16, kColumnsAtOnce>;
+
+/// The way back up, one pixel: its lanes are final then. They are not written back: the only one
+/// that needs them again is the pixel above, which finds them in `below`.
+/// @param below of this column; then this pixel's
+inline S16 PoolUp(const ColumnPool& p, int x, int y, S16& below) {
   const std::int64_t row = std::int64_t{p.width} * kLanes;
-  std::int16_t* lanes = p.lanes + y * row + x * kLanes;
+  const std::int16_t* lanes = p.lanes + y * row + x * kLanes;
   // Rows are too far apart for the processor to fetch the next one by itself.
   constexpr int kAhead = 6;
-  __builtin_prefetch(lanes - std::min(kAhead, y) * row, 1);
+  __builtin_prefetch(lanes - std::min(kAhead, y) * row);
   const S16 own = LoadLanes(lanes);
-  if (y + 1 == p.height) return own;
-  const S16 below = LoadLanes(lanes + row);
-  const std::uint8_t edge = p.edge_y[std::int64_t{y + 1} * p.width + x];
-  const S16 pooled = own + MulQ15(below - own, Splat((*p.weights)[edge]));
-  StoreLanes(lanes, pooled);
-  return pooled;
+  if (y + 1 == p.height) {
+    below = own;
+  } else {
+    const std::uint8_t edge = p.edge_y[std::int64_t{y + 1} * p.width + x];
+    below = own + MulQ15(below - own, Splat((*p.weights)[edge]));
+  }
+  return below;
 }
 
 }  // namespace horopter::vision::HOROPTER_KERNELS

@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 
 #include "vision/disparity/closed_form_kernels.h"
 #include "vision/disparity/kernels_pool.h"
@@ -16,59 +14,18 @@
 
 namespace horopter::vision::HOROPTER_KERNELS {
 
-/// Where the winner of a lane comes from, and what is added to it.
-struct Winners {
-  std::array<std::ptrdiff_t, kLanes> from;  ///< relative to the pixel, away from the border
-  std::array<float, kLanes> add_x, add_y;
-};
-inline Winners MakeWinners(const KeepTask& t) {
-  constexpr float kStep = 1.0F / kHypothesisSteps;
-  Winners w;
-  for (int k = 0; k < kLanes; ++k) {
-    const Candidates* c = t.candidates;
-    w.from[k] = c ? std::ptrdiff_t{c->from_y[k]} * t.pool.width + c->from_x[k] : 0;
-    w.add_x[k] = c ? kStep * static_cast<float>(c->move_x[k]) : static_cast<float>(t.first_dx + k);
-    w.add_y[k] = kStep * static_cast<float>(c ? c->move_y[k] : t.move_y);
-  }
-  return w;
-}
-
-/// Pixels from the border whose candidates all lie inside.
-inline int Margin(const KeepTask& t) {
-  int margin = 0;
-  for (int k = 0; t.candidates && k < kLanes; ++k) {
-    margin =
-        std::max({margin, std::abs(t.candidates->from_x[k]), std::abs(t.candidates->from_y[k])});
-  }
-  return margin;
-}
-
-/// The pixel that a lane's hypothesis is taken from, where the image's border is repeated.
-inline std::int64_t SourceAtBorder(const KeepTask& t, int x, int y, int lane) {
-  const int from_x = x + t.candidates->from_x[lane], from_y = y + t.candidates->from_y[lane];
-  return std::int64_t{std::clamp(from_y, 0, t.pool.height - 1)} * t.pool.width +
-         std::clamp(from_x, 0, t.pool.width - 1);
-}
-
 inline void KeepBest(const KeepTask& t, int x_begin, int x_end) {
-  const Winners winners = MakeWinners(t);
-  const int width = t.pool.width, height = t.pool.height, margin = Margin(t);
-  const bool inner_columns = x_begin >= margin && x_end <= width - margin;
   S16 favour{};
   favour[0] = t.favour_own;
   for (int k = t.lanes; k < kLanes; ++k) favour[k] = -16000;  // below every score
-  for (int y = height - 1; y >= 0; --y) {
-    const bool inner = inner_columns && y >= margin && y < height - margin;
+  RowBelow below;
+  for (int y = t.pool.height - 1; y >= 0; --y) {
     for (int x = x_begin; x < x_end; ++x) {
-      const Greatest found = GreatestLane(PoolUp(t.pool, x, y) + favour);
-      const std::int64_t pixel = std::int64_t{y} * width + x;
-      if (!t.first && found.value <= t.best[pixel]) continue;
-      t.best[pixel] = found.value;
-      const int lane = found.lane;
-      const std::int64_t from = inner || t.candidates == nullptr ? pixel + winners.from[lane]
-                                                                 : SourceAtBorder(t, x, y, lane);
-      t.dx[pixel] = (t.old_dx ? t.old_dx[from] : 0.0F) + winners.add_x[lane];
-      t.dy[pixel] = (t.old_dy ? t.old_dy[from] : 0.0F) + winners.add_y[lane];
+      const Greatest found = GreatestLane(PoolUp(t.pool, x, y, below[x - x_begin]) + favour);
+      const std::int64_t pixel = std::int64_t{y} * t.pool.width + x;
+      const bool better = t.first || found.value > t.best[pixel];
+      t.best[pixel] = better ? found.value : t.best[pixel];
+      t.winner[pixel] = better ? t.lane_0 + found.lane : t.winner[pixel];
     }
   }
 }
@@ -154,10 +111,13 @@ inline Steps IntersectConstraints(const SolveTask& t, const S16 (&products)[8]) 
 
 inline void Solve(const SolveTask& t, int x_begin, int x_end) {
   S16 pixels[kFloats] = {}, products[kFloats];
+  RowBelow below;
   for (int y = t.pool.height - 1; y >= 0; --y) {
     for (int x = x_begin; x < x_end; x += kFloats) {
       const int count = std::min(kFloats, x_end - x);
-      for (int i = 0; i < count; ++i) pixels[i] = PoolUp(t.pool, x + i, y);
+      for (int i = 0; i < count; ++i) {
+        pixels[i] = PoolUp(t.pool, x + i, y, below[x + i - x_begin]);
+      }
       Transpose(pixels, products);
       const Steps step = IntersectConstraints(t, products);
       const std::int64_t pixel = std::int64_t{y} * t.pool.width + x;

@@ -12,7 +12,7 @@
 
 namespace horopter::vision::HOROPTER_KERNELS {
 
-/// A cell turned in phase by an entry of PhaseTables::turn; up to 127 * 127.
+/// A cell turned in phase by an entry of PhaseTables::turn; up to sqrt(2) * 127 * 127.
 inline S16 Turned(S16 cell, const std::int8_t* turn) {
   return cell * LoadCell(turn) + SwapHalves(cell) * LoadCell(turn + kLanes);
 }

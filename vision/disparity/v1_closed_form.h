@@ -36,17 +36,25 @@ class V1ClosedFormEstimator final : public DisparityEstimator {
   std::string_view name() const override { return "v1"; }
 
   /// What is known of the eyes' pose from now on; nothing is needed. The prior bounds the search
-  /// and rejects matches off their epipolar lines, as far as its uncertainty allows. Images that
-  /// contradict it in more than kMaxContradicted of their matches are matched anew without it.
+  /// and rejects matches off their epipolar lines, as far as its uncertainty allows. Images are
+  /// matched anew without it when more than kMaxContradicted of the matches contradict it, or when
+  /// less than kMinMatched of the pixels match; the prior is wrong then if that finds kMatchedMore
+  /// times as many. The prior's left camera must have the images' size.
   void SetPrior(std::optional<EpipolarPrior> prior) { prior_ = std::move(prior); }
   static constexpr double kMaxContradicted = 0.5;
+  static constexpr double kMinMatched = 0.3;
+  static constexpr double kMatchedMore = 1.5;
   /// Whether the last pair contradicted the prior.
   bool prior_contradicted() const { return prior_contradicted_; }
 
  private:
   SearchBounds Bounds(bool use_prior) const;
+  /// Both images' octaves and cells, as fine as their noise allows.
+  void Respond(const cv::Mat& left, const cv::Mat& right);
   /// Both directions, checked against each other, at full size.
-  DisparityField Match(cv::Size image, bool use_prior, hardware::StageTimes* times);
+  DisparityField Match(bool use_prior, hardware::StageTimes* times);
+  /// Where the prior is known: by it, or without it where the images speak against it.
+  DisparityField MatchByPrior(hardware::StageTimes* times);
 
   ClosedFormConfig config_;
   CellBank bank_;

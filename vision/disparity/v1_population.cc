@@ -46,7 +46,9 @@ Population::Population(const V1Config& config)
 
 Constraints Population::Decode(const SimpleCells& left, const SimpleCells& right,
                                float textureless_energy) const {
-  if (config_.orientations == kOrientations && config_.phase_shifts == kPhaseShifts) {
+  const bool as_of_2009 = config_.orientations == kOrientations &&
+                          config_.phase_shifts == kPhaseShifts && config_.energy_exponent == 1;
+  if (as_of_2009) {
     return DecodeCounted<kOrientations, kPhaseShifts>(left, right, textureless_energy);
   }
   return DecodeCounted<0, 0>(left, right, textureless_energy);
@@ -61,7 +63,9 @@ Constraints Population::DecodeCounted(const SimpleCells& left, const SimpleCells
 
   Activity activity = Survey<kOrientationCount, kShiftCount>(energy);
   if (activity.mean < textureless_energy) return {};
-  if (energy_.Compress(energy)) activity = Survey<kOrientationCount, kShiftCount>(energy);
+  if constexpr (kOrientationCount == 0) {  // fixed counts are for energies without an exponent
+    if (energy_.Compress(energy)) activity = Survey<kOrientationCount, kShiftCount>(energy);
+  }
   const PerOrientation disparity =
       CentreOfMass<kOrientationCount, kShiftCount>(energy, activity.low, activity.high);
 

@@ -2,9 +2,11 @@
 #include "vision/disparity/view_pyramid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "vision/disparity/image_pair.h"
+#include "vision/disparity/noise_level.h"
 
 namespace horopter::vision {
 namespace {
@@ -15,8 +17,7 @@ cv::Mat1f GreyOf(ViewOctave& octave) { return {octave.height, octave.width, octa
 
 }  // namespace
 
-void ViewPyramid::Build(const cv::Mat& image, int octaves, int finest, const CellBank& bank,
-                        const ClosedFormKernels& kernels) {
+void ViewPyramid::Build(const cv::Mat& image, int octaves) {
   octaves_.resize(std::max<std::size_t>(octaves_.size(), octaves));
   octaves_[0].width = image.cols;
   octaves_[0].height = image.rows;
@@ -24,16 +25,23 @@ void ViewPyramid::Build(const cv::Mat& image, int octaves, int finest, const Cel
   octaves_[0].grey.Resize(image.cols, image.rows);
   cv::Mat1f grey = GreyOf(octaves_[0]);
   ToGrey(image).convertTo(grey, CV_32F);
+  noise_grey_ = NoiseLevel(grey);
   size_ = 1;
   while (size_ < octaves) {
     const ViewOctave& last = octaves_[size_ - 1];
     if (std::min(last.width, last.height) < 2 * kLeastSide) break;
     Halve(size_++);
   }
-  for (int i = std::min(finest, size_ - 1); i < size_; ++i) {
+}
+
+void ViewPyramid::Respond(int finest, double noise_grey, const CellBank& bank,
+                          const ClosedFormKernels& kernels) {
+  finest_ = std::min(finest, size_ - 1);
+  for (int i = finest_; i < size_; ++i) {
     ViewOctave& octave = octaves_[i];
     bank.Apply(kernels, octave.grey.data(), octave.width, octave.height, octave.cells);
-    FindEdges(octave.colour, octave.edges);
+    const double ignored = kEdgeNoise * NoiseAtOctave(noise_grey, i);
+    FindEdges(octave.colour, static_cast<int>(std::lround(ignored)), octave.edges);
   }
 }
 

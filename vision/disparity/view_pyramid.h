@@ -23,19 +23,31 @@ struct ViewOctave {
 /// (2x, 2y) of the one before. Buffers are kept from image to image.
 class ViewPyramid {
  public:
+  /// The octaves' images.
   /// @param image CV_8UC1 or CV_8UC3
   /// @param octaves at most so many, none with a side under 2 px but the first
-  /// @param finest octaves below it get no cells
-  void Build(const cv::Mat& image, int octaves, int finest, const CellBank& bank,
-             const ClosedFormKernels& kernels);
+  void Build(const cv::Mat& image, int octaves);
+
+  /// Cells and edges of the octaves from `finest` on, or of the coarsest alone where there are
+  /// fewer.
+  /// @param noise_grey deviation of the image's noise [grey levels]: edges count from
+  ///   kEdgeNoise times that on, as much of it as pyramids leave
+  void Respond(int finest, double noise_grey, const CellBank& bank,
+               const ClosedFormKernels& kernels);
+  static constexpr double kEdgeNoise = 6;
 
   int size() const { return size_; }
+  int finest() const { return finest_; }
+  /// Of the full image (NoiseLevel).
+  double noise_grey() const { return noise_grey_; }
   const ViewOctave& operator[](int octave) const { return octaves_[octave]; }
 
  private:
   void Halve(int octave);
 
   int size_ = 0;
+  int finest_ = 0;
+  double noise_grey_ = 0;
   std::vector<ViewOctave> octaves_;
 };
 

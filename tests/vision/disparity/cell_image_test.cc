@@ -145,7 +145,7 @@ TEST(EdgeMap, SumsTheChannelsDifferencesToTheLeftAndAbove) {
   colour(0, 1) = {12, 17, 30};
   colour(1, 2) = {255, 255, 255};
   EdgeMap edges;
-  FindEdges(colour, edges);
+  FindEdges(colour, 0, edges);
   EXPECT_EQ(std::vector<int>(edges.x.data(), edges.x.data() + 6),
             (std::vector<int>{0, 5, 5, 0, 0, 255}));
   EXPECT_EQ(std::vector<int>(edges.y.data(), edges.y.data() + 6),

@@ -134,5 +134,25 @@ TEST(EpipolarPrior, AWrongOneIsNotTrusted) {
   EXPECT_EQ(cv::countNonZero(with.valid != without.valid), 0);
 }
 
+/// The truth lies outside of what is searched: almost nothing matches, and little contradicts.
+TEST(EpipolarPrior, OneThatRulesOutTheTruthIsNotTrusted) {
+  const testing::SyntheticPair pair = testing::ShiftedPair({192, 144}, -28, 0);
+  V1ClosedFormEstimator estimator(V1Config::Preset("fast").closed_form);
+  const DisparityField without = estimator.Estimate(pair.left, pair.right);
+  RelativePose pose = Parallel();
+  pose.X_ClCr.linear() = Eigen::AngleAxisd(20 * kDeg, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  estimator.SetPrior(EpipolarPrior(kCamera, kCamera, pose));
+  const DisparityField with = estimator.Estimate(pair.left, pair.right);
+  EXPECT_TRUE(estimator.prior_contradicted());
+  EXPECT_EQ(cv::countNonZero(with.valid != without.valid), 0);
+}
+
+TEST(EpipolarPrior, OfAnotherImageSizeIsRefused) {
+  const testing::SyntheticPair pair = testing::ShiftedPair({200, 150}, -28, 0);
+  V1ClosedFormEstimator estimator(V1Config::Preset("fast").closed_form);
+  estimator.SetPrior(EpipolarPrior(kCamera, kCamera, Parallel()));
+  EXPECT_THROW(estimator.Estimate(pair.left, pair.right), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace horopter::vision

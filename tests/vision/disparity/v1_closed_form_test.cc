@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "textured_pair.h"
 #include "vision/disparity/v1_config.h"
@@ -171,6 +175,70 @@ TEST(V1ClosedForm, AnySizeGivesAField) {
         EXPECT_EQ(field.valid.size(), size) << preset;
       }
     }
+  }
+}
+
+/// An image with too few rows for octaves is matched at full size, whatever the preset says.
+TEST(V1ClosedForm, ThinImagesHaveTheSameDisparity) {
+  for (const char* preset : {"accurate", "fast", "realtime"}) {
+    for (const int height : {1, 2, 3, 5, 7, 9}) {
+      const SyntheticPair pair = ShiftedPair({400, height}, 5, 0);
+      const DisparityField field = Estimate(Preset(preset), pair);
+      std::vector<float> found;
+      for (int x = 0; x < 400; ++x) {
+        if (field.valid(height / 2, x) != 0) found.push_back(field.dx(height / 2, x));
+      }
+      if (found.empty()) continue;
+      std::nth_element(found.begin(), found.begin() + found.size() / 2, found.end());
+      EXPECT_NEAR(found[found.size() / 2], 5, 0.3) << preset << ", height " << height;
+    }
+  }
+}
+
+TEST(V1ClosedForm, NoMatchLiesOutsideTheOtherImage) {
+  const SyntheticPair pair = ShiftedPair({193, 145}, -6.4, 2.5);
+  for (const char* preset : {"accurate", "fast", "realtime"}) {
+    const DisparityField field = Estimate(Preset(preset), pair);
+    int valid = 0;
+    for (int y = 0; y < 145; ++y) {
+      for (int x = 0; x < 193; ++x) {
+        if (field.valid(y, x) == 0) continue;
+        ++valid;
+        const float to_x = static_cast<float>(x) + field.dx(y, x);
+        const float to_y = static_cast<float>(y) + field.dy(y, x);
+        EXPECT_TRUE(to_x >= 0 && to_x <= 192 && to_y >= 0 && to_y <= 144) << preset;
+      }
+    }
+    EXPECT_GT(valid, 0.8 * 193 * 145) << preset;
+  }
+}
+
+/// Noise moves the finest octave that is matched; what is left is still most of the image.
+TEST(V1ClosedForm, SeesThroughNoise) {
+  const SyntheticPair clean = ShiftedPair({320, 240}, 7.3, -2.1);
+  cv::RNG random(11);
+  for (const double sigma : {5.0, 10.0}) {
+    SyntheticPair noisy;
+    for (auto& [from, to] : {std::pair(&clean.left, &noisy.left), {&clean.right, &noisy.right}}) {
+      cv::Mat1s noise(from->size());
+      random.fill(noise, cv::RNG::NORMAL, 0, sigma);
+      cv::Mat sum;
+      cv::add(*from, noise, sum, cv::noArray(), CV_8U);
+      *to = sum;
+    }
+    const WarpScore score = ScoreWarp(Estimate(Preset("accurate"), noisy), Shift(7.3, -2.1));
+    EXPECT_LT(score.median_error_px, 0.2) << sigma;
+    EXPECT_GT(score.density, 0.85) << sigma;
+  }
+}
+
+TEST(V1ClosedForm, RefusesImagesThatWouldTakeAllMemory) {
+  const cv::Mat1b huge = cv::Mat1b::zeros(8000, 8000);
+  try {
+    V1ClosedFormEstimator(Preset("fast")).Estimate(huge, huge);
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("8000x8000"), std::string::npos) << error.what();
   }
 }
 
