@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace horopter::sim {
@@ -159,9 +160,9 @@ EyeImage SimCameras::See(Eye eye, const Plan& plan) {
   const auto render = [&] {
     plans = camera.Views(motion);
     const hardware::Pose X_WM = world_.X_WCamera(config_.mjcf_camera[eye]);
-    for (const ViewPlan& plan : plans) {
-      RenderedView seen = renderer_.Render(X_WM * motion.PoseAt(plan.t_s), plan.camera,
-                                           {.depth = plan.needs_depth}, &times_);
+    for (const ViewPlan& view : plans) {
+      RenderedView seen = renderer_.Render(X_WM * motion.PoseAt(view.t_s), view.camera,
+                                           {.depth = view.needs_depth}, &times_);
       views.push_back({seen.bgr, seen.depth});
     }
   };
@@ -176,7 +177,7 @@ EyeImage SimCameras::See(Eye eye, const Plan& plan) {
   }
   return {times_.Measure("sensor",
                          [&] {
-                           return camera.Develop(plans, views, motion, plan.noise[eye],
+                           return camera.Develop(plans, std::move(views), motion, plan.noise[eye],
                                                  faults_.Light(eye, t));
                          }),
           t};

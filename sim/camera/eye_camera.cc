@@ -54,6 +54,15 @@ double ViewScale(const LensMap& map, double blur_px) {
   return std::min(1.0, std::max(blurred, 1 / std::sqrt(map.PixelsPerPixel())));
 }
 
+/// An image to be written: in the memory of a view that has been read, where nobody else needs it.
+/// New memory costs as much as resampling: the system clears it page by page.
+cv::Mat3b InPlaceOf(const cv::Mat3b& view, cv::Size size) {
+  const bool is_free = view.u != nullptr && view.u->refcount == 1 && view.isContinuous() &&
+                       view.total() >= static_cast<std::size_t>(size.area());
+  if (!is_free) return cv::Mat3b(size);
+  return view.reshape(0, 1).colRange(0, size.area()).reshape(0, size.height);
+}
+
 /// No view is larger, whatever the lens: what GL renders at most.
 constexpr int kNoLimit = 8192;
 
@@ -124,34 +133,44 @@ std::vector<ViewPlan> EyeCamera::Views(const EyeMotion& motion) const {
 
 CameraModel EyeCamera::View(const EyeMotion& motion) const { return Views(motion).front().camera; }
 
-cv::Mat3b EyeCamera::Scratch() {
-  scratch_.create(model_.height(), model_.width());
-  return scratch_;
-}
-
 cv::Mat3b EyeCamera::Develop(cv::Mat3b view, const EyeMotion& motion, std::uint64_t frame) {
   const std::vector<ViewPlan> plans = Views(motion);
   CV_Assert(plans.size() == 1 && !plans.front().needs_depth);
-  return Develop(plans, {{std::move(view), {}}}, motion, frame);
+  std::vector<LensView> views(1);
+  views.front().bgr = std::move(view);
+  return Develop(plans, std::move(views), motion, frame);
 }
 
-cv::Mat3b EyeCamera::Develop(const std::vector<ViewPlan>& plans, const std::vector<LensView>& views,
+void EyeCamera::Blur(const cv::Mat3b& sharp, cv::Mat3b& image) const {
+  const int size = 2 * static_cast<int>(std::ceil(3 * blur_px_)) + 1;
+  cv::GaussianBlur(sharp, image, {size, size}, blur_px_, blur_px_, cv::BORDER_REPLICATE);
+}
+
+cv::Mat3b EyeCamera::Focus(const std::vector<ViewPlan>& plans, const std::vector<LensView>& views,
+                           const EyeMotion& motion) {
+  const bool still = Still(motion);
+  const cv::Size size(model_.width(), model_.height());
+  const cv::Mat3b& first = views.front().bgr;
+  if (!distorts_ && still && blur_px_ == 0) return first;
+  // Each step writes into scratch_, and what it has read becomes the next step's.
+  scratch_.create(size);
+  if (!distorts_ && still) {
+    Blur(first, scratch_);
+    return std::exchange(scratch_, InPlaceOf(first, size));
+  }
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    lens_.Resample(plans[i], views[i], still ? EyeMotion() : motion, scratch_);
+  }
+  cv::Mat3b image = std::exchange(scratch_, InPlaceOf(first, size));
+  if (blur_px_ == 0) return image;
+  Blur(image, scratch_);
+  return std::exchange(scratch_, std::move(image));
+}
+
+cv::Mat3b EyeCamera::Develop(const std::vector<ViewPlan>& plans, std::vector<LensView> views,
                              const EyeMotion& motion, std::uint64_t frame, double light) {
   CV_Assert(plans.size() == views.size() && !plans.empty());
-  const bool still = Still(motion);
-  const bool resample = distorts_ || !still;
-  cv::Mat3b sharp = views.front().bgr;
-  cv::Mat3b image = resample || blur_px_ > 0 ? cv::Mat3b(model_.height(), model_.width()) : sharp;
-  if (resample) {
-    sharp = blur_px_ > 0 ? Scratch() : image;
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-      lens_.Resample(plans[i], views[i], still ? EyeMotion() : motion, sharp);
-    }
-  }
-  if (blur_px_ > 0) {
-    const int size = 2 * static_cast<int>(std::ceil(3 * blur_px_)) + 1;
-    cv::GaussianBlur(sharp, image, {size, size}, blur_px_, blur_px_, cv::BORDER_REPLICATE);
-  }
+  cv::Mat3b image = Focus(plans, views, motion);
   sensor_.Apply(frame, image, light);
   return image;
 }

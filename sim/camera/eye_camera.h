@@ -49,12 +49,12 @@ class EyeCamera {
 
   /// @param plans Views(motion)
   /// @param views what the cameras of the plans see from motion.PoseAt() of their instants, in the
-  ///        world of the instant that `motion` is about; may be changed, and the pixels become the
-  ///        result's where lens and shutter change nothing
+  ///        world of the instant that `motion` is about; may be changed; memory that nobody
+  ///        else refers to may become the result's, and does where lens and shutter change nothing
   /// @param frame picks the noise
   /// @param light share of it that reaches the sensor
   /// @return CV_8UC3 of the model's size, which nothing else refers to
-  cv::Mat3b Develop(const std::vector<ViewPlan>& plans, const std::vector<LensView>& views,
+  cv::Mat3b Develop(const std::vector<ViewPlan>& plans, std::vector<LensView> views,
                     const EyeMotion& motion, std::uint64_t frame, double light = 1);
 
   /// Likewise from the one view that View(motion) sees.
@@ -69,8 +69,10 @@ class EyeCamera {
     double t_s;
   };
   std::vector<Band> Bands(double parallax_px) const;
-  /// An image of the model's size that is kept from frame to frame.
-  cv::Mat3b Scratch();
+  /// What falls on the sensor. The result, and scratch_, may lie in the views' memory.
+  cv::Mat3b Focus(const std::vector<ViewPlan>& plans, const std::vector<LensView>& views,
+                  const EyeMotion& motion);
+  void Blur(const cv::Mat3b& sharp, cv::Mat3b& image) const;
 
   hardware::CameraModel model_;
   RowExposure exposure_;
@@ -81,7 +83,7 @@ class EyeCamera {
   double view_scale_;  ///< of the views' focal length to the model's
   cv::Size largest_view_;
   std::optional<hardware::CameraModel> still_view_;  ///< set from construction on
-  cv::Mat3b scratch_;
+  cv::Mat3b scratch_;  ///< an image that nobody else has, kept from frame to frame
 };
 
 }  // namespace horopter::sim

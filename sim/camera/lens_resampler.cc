@@ -64,44 +64,45 @@ TanBounds LensResampler::Bounds(const RowBand& rows, const EyeMotion& motion) co
   return bounds;
 }
 
-Eigen::Vector2d LensResampler::Way(const Row& row, int column, const Eigen::Matrix3d& K,
-                                   const EyeMotion& motion) const {
+LensResampler::Ways LensResampler::WaysOf(const Row& row, const Eigen::Matrix3d& K,
+                                          const EyeMotion& motion) const {
+  Ways ways;
+  ways.fill(Eigen::Vector2d::Zero());
+  if (exposure_.time_s() == 0) return ways;
   const double middle = exposure_.Middle(row.y), half = exposure_.time_s() / 2;
-  const Eigen::Vector3d ray = map_.Ray(row.y, column).cast<double>();
-  const double w = row.w == nullptr ? 0 : row.w[column];
-  const auto pixel = [&](double t_s) -> Eigen::Vector2d {
-    const EyePlace at = motion.At(t_s);
-    return (K * (at.R_MC * ray + w * at.p_MC)).hnormalized();
-  };
-  return pixel(middle + half) - pixel(middle - half);
+  const EyePlace begin = motion.At(middle - half), end = motion.At(middle + half);
+  const int columns[] = {0, camera().width() / 2, camera().width() - 1};
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const Eigen::Vector3d ray = map_.Ray(row.y, columns[i]).cast<double>();
+    const double w = row.w == nullptr ? 0 : row.w[columns[i]];
+    const auto pixel = [&](const EyePlace& at) -> Eigen::Vector2d {
+      return (K * (at.R_MC * ray + w * at.p_MC)).hnormalized();
+    };
+    ways[i] = pixel(end) - pixel(begin);
+  }
+  return ways;
 }
 
-int LensResampler::Instants(const Row& row, const Eigen::Matrix3d& K,
-                            const EyeMotion& motion) const {
-  if (exposure_.time_s() == 0) return 1;
+int LensResampler::Instants(const Ways& ways) {
   double longest = 0;
-  for (const int column : {0, camera().width() / 2, camera().width() - 1}) {
-    longest = std::max(longest, Way(row, column, K, motion).norm());
-  }
+  for (const Eigen::Vector2d& way : ways) longest = std::max(longest, way.norm());
   return std::clamp(static_cast<int>(std::ceil(longest / kInstantSpacing_px)), 1, kMostInstants);
 }
 
-LensResampler::RowPlan LensResampler::Plan(const Row& row, const Eigen::Matrix3d& K,
-                                           const EyeMotion& motion) const {
-  const int instants = Instants(row, K, motion);
+LensResampler::RowPlan LensResampler::Plan(const Ways& ways) const {
+  const int instants = Instants(ways);
   for (int level = comb_.levels() - 1; level > 0; --level) {
     const int taps = MotionComb::Taps(level);
     const int groups = (instants + taps - 1) / taps;
     if (groups < 2) continue;
     double worst = 0;
-    for (const int column : {0, camera().width() / 2, camera().width() - 1}) {
-      const Eigen::Vector2d wanted =
-          Way(row, column, K, motion) * (taps - 1) / static_cast<double>(taps * groups);
+    for (const Eigen::Vector2d& way : ways) {
+      const Eigen::Vector2d wanted = way * (taps - 1) / static_cast<double>(taps * groups);
       worst = std::max(worst, (wanted - comb_.Extent(level)).norm());
     }
     if (worst > kCombTolerance_px) continue;
     // Spread the groups so that blur by them and by the comb is as wide as by all the instants.
-    const double way2 = Way(row, camera().width() / 2, K, motion).squaredNorm();
+    const double way2 = ways[kMiddle].squaredNorm();
     const double all = way2 / 12, spread = all * (1 - 1.0 / (groups * groups));
     const double share = std::sqrt(std::max(0.0, all - comb_.Variance(level)) / spread);
     return {level, groups, std::clamp(share, 0.7, 1.3)};
@@ -130,8 +131,9 @@ void LensResampler::MakeComb(const ViewPlan& plan, const LensView& view, const E
   const int middle_row = plan.rows.row(plan.rows.count() / 2);
   if (plan.needs_depth) SolveParallax(middle_row, K, motion, w.data());
   const Row row{middle_row, plan.needs_depth ? w.data() : nullptr};
-  const int instants = Instants(row, K, motion);
-  const Eigen::Vector2d step = Way(row, camera().width() / 2, K, motion) / instants;
+  const Ways ways = WaysOf(row, K, motion);
+  const int instants = Instants(ways);
+  const Eigen::Vector2d step = ways[kMiddle] / instants;
   comb_.Make(view.bgr, step, instants < 4 ? 1 : instants < 7 ? 2 : 3);
 }
 
@@ -154,27 +156,21 @@ void LensResampler::Resample(const ViewPlan& plan, const LensView& view, const E
       const int y = plan.rows.row(k);
       if (plan.needs_depth) SolveParallax(y, K, seen, w.data());
       const Row row{y, plan.needs_depth ? w.data() : nullptr};
-      const RowPlan sums = Plan(row, K, seen);
+      const RowPlan sums = Plan(WaysOf(row, K, seen));
       Eigen::Matrix3d to_level = K;  // the comb's copies go from a place on; we want them around it
       to_level.row(0) -= comb_.Extent(sums.level).x() / 2 * Eigen::RowVector3d::UnitZ();
       to_level.row(1) -= comb_.Extent(sums.level).y() / 2 * Eigen::RowVector3d::UnitZ();
-      const auto places = [&](double part_of) -> BilinearRow::Places {
-        const EyePlace at = seen.At(exposure_.Middle(y) + part_of * exposure_.time_s());
-        return {(to_level * at.R_MC).cast<float>(), map_.x(y), map_.y(y),
-                (to_level * at.p_MC).cast<float>(), row.w};
-      };
-      const cv::Mat3b& source = comb_.image(sums.level);
-      if (sums.instants == 1) {
-        sampler.Sample(source, places(0), image.cols, image.ptr<std::uint8_t>(y));
-        continue;
-      }
-      sampler.Start(image.cols);
+      sampler.Start();
       for (int i = 0; i < sums.instants; ++i) {
-        sampler.Add(source, places(sums.share * ((i + 0.5) / sums.instants - 0.5)));
+        const double part_of = sums.share * ((i + 0.5) / sums.instants - 0.5);
+        const EyePlace at = seen.At(exposure_.Middle(y) + part_of * exposure_.time_s());
+        sampler.Add(comb_.image(sums.level), (to_level * at.R_MC).cast<float>(),
+                    (to_level * at.p_MC).cast<float>());
       }
-      sampler.Store(image.ptr<std::uint8_t>(y));
+      sampler.Store({map_.x(y), map_.y(y), row.w, image.cols}, image.ptr<std::uint8_t>(y));
     }
   });
+  comb_.ForgetView();
 }
 
 }  // namespace horopter::sim

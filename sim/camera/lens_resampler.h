@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <opencv2/core/mat.hpp>
 
 #include "hardware/types/camera_model.h"
@@ -60,13 +61,14 @@ class LensResampler {
     const float* w;
   };
 
-  /// The way of a pixel of the view during a row's exposure.
-  Eigen::Vector2d Way(const Row& row, int column, const Eigen::Matrix3d& K,
-                      const EyeMotion& motion) const;
+  /// The ways, in the view, of a row's first, middle and last pixel during its exposure [px].
+  using Ways = std::array<Eigen::Vector2d, 3>;
+  static constexpr int kMiddle = 1;
+  Ways WaysOf(const Row& row, const Eigen::Matrix3d& K, const EyeMotion& motion) const;
   /// How many instants a row's exposure needs: no farther apart than 1.75 pixels, which still
   /// cancels the finest pattern that an image can hold.
-  int Instants(const Row& row, const Eigen::Matrix3d& K, const EyeMotion& motion) const;
-  RowPlan Plan(const Row& row, const Eigen::Matrix3d& K, const EyeMotion& motion) const;
+  static int Instants(const Ways& ways);
+  RowPlan Plan(const Ways& ways) const;
   /// Inverse depths along the row's rays in the middle of its exposure.
   void SolveParallax(int y, const Eigen::Matrix3d& K, const EyeMotion& motion, float* w) const;
   void MakeComb(const ViewPlan& plan, const LensView& view, const Eigen::Matrix3d& K,

@@ -21,6 +21,9 @@ class MotionComb {
   /// @param levels how many levels to make, 1 (the view alone) to kLevels. Keeps its memory.
   void Make(const cv::Mat3b& view, const Eigen::Vector2d& step_px, int levels);
 
+  /// Lets go of the view; level 0 is gone.
+  void ForgetView() { images_[0].release(); }
+
   int levels() const { return levels_; }
   const cv::Mat3b& image(int level) const { return images_[level]; }
   /// From the first to the last copy: what a level shows at p is the mean from p to p + extent.

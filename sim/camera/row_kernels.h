@@ -20,8 +20,8 @@ struct SampleSource {
   int stride;    ///< bytes from row to row, below 2^15
   float last_x;  ///< places beyond are moved here; two more bytes than a pixel's pair are readable
   float last_y;
-  const float* h;  ///< homography from (x, y, 1), column by column
-  const float* e;  ///< by which an inverse depth shifts
+  float h[9];  ///< homography from (x, y, 1), column by column
+  float e[3];  ///< by which an inverse depth shifts
 };
 
 /// Where a row's samples lie: `width` values each, rounded up to kRowWidthStep.
@@ -47,13 +47,8 @@ struct SensorRow {
 /// The loops over the values of a row, for one instruction set. All sets give the same bits.
 struct RowKernels {
   std::string_view name;
-  /// Adds 2^14 times the bilinear sample of each pixel to `sum`, four numbers a pixel, the last
-  /// without meaning; `sum` goes on like the row.
-  void (*add_samples)(const SampleSource& from, const SampleRow& row, std::int32_t* sum);
-  /// Each pixel is its one sample, rounded.
-  void (*sample)(const SampleSource& from, const SampleRow& row, std::uint8_t* pixels);
-  /// Each pixel is the mean of so many that were added, rounded.
-  void (*store_means)(const std::int32_t* sum, int width, int samples, std::uint8_t* pixels);
+  /// Each pixel is the mean of its bilinear samples of `count` sources, rounded.
+  void (*sample)(const SampleSource* from, int count, const SampleRow& row, std::uint8_t* pixels);
   /// Grey levels to the numbers of the converter, in place.
   void (*expose)(const SensorRow& sensor, int count, std::uint8_t* values);
 };

@@ -6,7 +6,6 @@
 namespace horopter::sim {
 
 extern const RowKernels k_avx2_row_kernels;
-const RowKernels k_avx2_row_kernels{"avx2", avx2::AddSamples, avx2::Sample, avx2::StoreMeans,
-                                    avx2::Expose};
+const RowKernels k_avx2_row_kernels{"avx2", avx2::Sample, avx2::Expose};
 
 }  // namespace horopter::sim

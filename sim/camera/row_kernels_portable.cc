@@ -6,7 +6,6 @@
 namespace horopter::sim {
 
 extern const RowKernels k_portable_row_kernels;
-const RowKernels k_portable_row_kernels{"portable", portable::AddSamples, portable::Sample,
-                                        portable::StoreMeans, portable::Expose};
+const RowKernels k_portable_row_kernels{"portable", portable::Sample, portable::Expose};
 
 }  // namespace horopter::sim

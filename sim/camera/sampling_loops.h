@@ -123,6 +123,8 @@ void AddSamplesWith(const SampleSource& from, const SampleRow& row, std::int32_t
 
 #endif
 
+/// Adds 2^14 times the bilinear sample of each pixel to `sum`, four numbers a pixel, the last
+/// without meaning.
 inline void AddSamples(const SampleSource& from, const SampleRow& row, std::int32_t* sum) {
   row.w == nullptr ? AddSamplesWith<false>(from, row, sum) : AddSamplesWith<true>(from, row, sum);
 }
@@ -150,15 +152,18 @@ inline void StoreMeans(const std::int32_t* sum, int width, int samples, std::uin
   }
 }
 
-inline void Sample(const SampleSource& from, const SampleRow& row, std::uint8_t* pixels) {
+/// A part of the row at a time, whose sums stay in the nearest cache.
+inline void Sample(const SampleSource* from, int count, const SampleRow& row,
+                   std::uint8_t* pixels) {
   constexpr int kPart = 8 * kRowWidthStep;
   for (int first = 0; first < row.width; first += kPart) {
+    const int width = row.width - first < kPart ? row.width - first : kPart;
+    const float* w = row.w == nullptr ? nullptr : row.w + first;
     std::int32_t sum[4 * kPart] = {};
-    const int count = row.width - first < kPart ? row.width - first : kPart;
-    AddSamples(from,
-               {row.x + first, row.y + first, row.w == nullptr ? nullptr : row.w + first, count},
-               sum);
-    StoreMeans(sum, count, 1, pixels + 3 * first);
+    for (int k = 0; k < count; ++k) {
+      AddSamples(from[k], {row.x + first, row.y + first, w, width}, sum);
+    }
+    StoreMeans(sum, width, count, pixels + 3 * first);
   }
 }
 

@@ -88,32 +88,6 @@ inline __m256i BiasedPair(const SampleSource& from, const EightPlaces& places) {
 }
 constexpr int kBias = 128 * kPlaceSteps * kPlaceSteps;
 
-template <int k>
-inline void AddPair(const SampleSource& from, const EightPlaces& places, std::int32_t* sum) {
-  const __m256i pair = _mm256_add_epi32(BiasedPair<k>(from, places), _mm256_set1_epi32(kBias));
-  __m128i* first = reinterpret_cast<__m128i*>(sum + 4 * k);
-  __m128i* second = reinterpret_cast<__m128i*>(sum + 4 * (k + 4));
-  _mm_storeu_si128(first, _mm_add_epi32(_mm_loadu_si128(first), _mm256_castsi256_si128(pair)));
-  _mm_storeu_si128(second,
-                   _mm_add_epi32(_mm_loadu_si128(second), _mm256_extracti128_si256(pair, 1)));
-}
-
-template <bool kParallax>
-inline void AddSamplesWith(const SampleSource& from, const SampleRow& row, std::int32_t* sum) {
-  EightPlaces places;
-  for (int i = 0; i < row.width; i += kRowWidthStep) {
-    FindEight<kParallax>(from, row, i, places);
-    AddPair<0>(from, places, sum + 4 * i);
-    AddPair<1>(from, places, sum + 4 * i);
-    AddPair<2>(from, places, sum + 4 * i);
-    AddPair<3>(from, places, sum + 4 * i);
-  }
-}
-
-inline void AddSamples(const SampleSource& from, const SampleRow& row, std::int32_t* sum) {
-  row.w == nullptr ? AddSamplesWith<false>(from, row, sum) : AddSamplesWith<true>(from, row, sum);
-}
-
 /// Writes eight pixels, held as numbers k and k + 4 in `pair[k]`, and four bytes more.
 inline void StoreEight(__m256i pair0, __m256i pair1, __m256i pair2, __m256i pair3,
                        std::uint8_t* pixels) {
@@ -144,37 +118,33 @@ inline void ForEights(int width, std::uint8_t* pixels, Eight&& eight) {
 }
 
 template <bool kParallax>
-inline void SampleWith(const SampleSource& from, const SampleRow& row, std::uint8_t* pixels) {
-  constexpr int kHalf = kPlaceSteps * kPlaceSteps / 2;
-  const auto rounded = [](__m256i biased) {
-    return _mm256_srli_epi32(_mm256_add_epi32(biased, _mm256_set1_epi32(kBias + kHalf)),
-                             2 * kPlaceBits);
-  };
-  EightPlaces places;
-  ForEights(row.width, pixels, [&](int i, std::uint8_t* to) {
-    FindEight<kParallax>(from, row, i, places);
-    StoreEight(rounded(BiasedPair<0>(from, places)), rounded(BiasedPair<1>(from, places)),
-               rounded(BiasedPair<2>(from, places)), rounded(BiasedPair<3>(from, places)), to);
-  });
-}
-
-inline void Sample(const SampleSource& from, const SampleRow& row, std::uint8_t* pixels) {
-  row.w == nullptr ? SampleWith<false>(from, row, pixels) : SampleWith<true>(from, row, pixels);
-}
-
-inline void StoreMeans(const std::int32_t* sum, int width, int samples, std::uint8_t* pixels) {
-  const float scale =
-      1.0F / (static_cast<float>(kPlaceSteps * kPlaceSteps) * static_cast<float>(samples));
-  const auto mean = [&](int first, int second) {
-    const __m256i pair = _mm256_inserti128_si256(
-        _mm256_castsi128_si256(_mm_loadu_si128(reinterpret_cast<const __m128i*>(sum + 4 * first))),
-        _mm_loadu_si128(reinterpret_cast<const __m128i*>(sum + 4 * second)), 1);
-    const __m256 scaled = _mm256_mul_ps(_mm256_cvtepi32_ps(pair), _mm256_set1_ps(scale));
+inline void SampleWith(const SampleSource* from, int count, const SampleRow& row,
+                       std::uint8_t* pixels) {
+  constexpr float kOne = static_cast<float>(kPlaceSteps * kPlaceSteps);
+  const __m256 scale = _mm256_set1_ps(1.0F / (kOne * static_cast<float>(count)));
+  const __m256i bias = _mm256_set1_epi32(kBias * count);
+  const auto mean = [&](__m256i sum) {
+    const __m256 scaled = _mm256_mul_ps(_mm256_cvtepi32_ps(_mm256_add_epi32(sum, bias)), scale);
     return _mm256_cvttps_epi32(_mm256_add_ps(scaled, _mm256_set1_ps(0.5F)));
   };
-  ForEights(width, pixels, [&](int i, std::uint8_t* to) {
-    StoreEight(mean(i, i + 4), mean(i + 1, i + 5), mean(i + 2, i + 6), mean(i + 3, i + 7), to);
+  ForEights(row.width, pixels, [&](int i, std::uint8_t* to) {
+    __m256i sum0 = _mm256_setzero_si256(), sum1 = sum0, sum2 = sum0, sum3 = sum0;
+    for (int k = 0; k < count; ++k) {
+      EightPlaces places;
+      FindEight<kParallax>(from[k], row, i, places);
+      sum0 = _mm256_add_epi32(sum0, BiasedPair<0>(from[k], places));
+      sum1 = _mm256_add_epi32(sum1, BiasedPair<1>(from[k], places));
+      sum2 = _mm256_add_epi32(sum2, BiasedPair<2>(from[k], places));
+      sum3 = _mm256_add_epi32(sum3, BiasedPair<3>(from[k], places));
+    }
+    StoreEight(mean(sum0), mean(sum1), mean(sum2), mean(sum3), to);
   });
+}
+
+inline void Sample(const SampleSource* from, int count, const SampleRow& row,
+                   std::uint8_t* pixels) {
+  row.w == nullptr ? SampleWith<false>(from, count, row, pixels)
+                   : SampleWith<true>(from, count, row, pixels);
 }
 
 }  // namespace horopter::sim::avx2

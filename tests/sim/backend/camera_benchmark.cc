@@ -15,6 +15,7 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hardware/types/eye.h"
@@ -87,7 +88,7 @@ void RealPair(EyeCamera& camera, const EyeMotion& motion, std::uint64_t frame) {
           X_WM * motion.PoseAt(plan.t_s), plan.camera, {.depth = plan.needs_depth});
       views.push_back({seen.bgr, seen.depth});
     }
-    benchmark::DoNotOptimize(camera.Develop(plans, views, motion, frame));
+    benchmark::DoNotOptimize(camera.Develop(plans, std::move(views), motion, frame));
   }
 }
 

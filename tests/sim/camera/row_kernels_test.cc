@@ -29,25 +29,30 @@ cv::Mat3b Speckles(int width, int height) {
 
 /// A row's places, some of which lie beyond every side of a 90 x 60 image.
 struct Row {
-  explicit Row(int width) : x(BilinearRow::RoundedUp(width)), y(x.size()), w(x.size()) {
+  Row(int row_width, bool sees_parallax)
+      : width(row_width),
+        parallax(sees_parallax),
+        x(BilinearRow::RoundedUp(width)),
+        y(x.size()),
+        w(x.size()) {
     cv::RNG random(static_cast<std::uint64_t>(width));
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] = random.uniform(-0.6F, 0.6F);
       y[i] = random.uniform(-0.6F, 0.6F);
       w[i] = random.uniform(0.0F, 3.0F);
     }
-    places.H << 90, 1, 44.5, -2, 90, 29.5, 0.05F, 0.02F, 1;
-    places.x = x.data();
-    places.y = y.data();
+    H << 90, 1, 44.5, -2, 90, 29.5, 0.05F, 0.02F, 1;
   }
 
-  void SeeParallax() {
-    places.e = {2, -1, 0.01F};
-    places.w = w.data();
-  }
+  /// Means of samples of the images, as an instruction set sees them.
+  std::vector<std::uint8_t> Seen(const RowKernels& kernels,
+                                 const std::vector<cv::Mat3b>& images) const;
 
+  int width;
+  bool parallax;
   std::vector<float> x, y, w;
-  BilinearRow::Places places;
+  Eigen::Matrix3f H;
+  Eigen::Vector3f e{2, -1, 0.01F};
 };
 
 /// A row of bytes that nobody may write beyond.
@@ -61,10 +66,20 @@ struct Guarded {
   std::vector<std::uint8_t> bytes;
 };
 
+std::vector<std::uint8_t> Row::Seen(const RowKernels& kernels,
+                                    const std::vector<cv::Mat3b>& images) const {
+  BilinearRow sampler(kernels);
+  for (const cv::Mat3b& image : images) sampler.Add(image, H, e);
+  Guarded seen(width);
+  sampler.Store({x.data(), y.data(), parallax ? w.data() : nullptr, width}, seen.data());
+  EXPECT_TRUE(seen.Holds()) << kernels.name << " " << width;
+  return seen.bytes;
+}
+
 /// The bilinear value by its definition, in double; places are rounded by up to 1/256 px.
 double Expected(const cv::Mat3b& image, const Row& row, int i, int channel) {
-  Eigen::Vector3d at = (row.places.H * Eigen::Vector3f(row.x[i], row.y[i], 1)).cast<double>();
-  if (row.places.w != nullptr) at += row.w[i] * row.places.e.cast<double>();
+  Eigen::Vector3d at = (row.H * Eigen::Vector3f(row.x[i], row.y[i], 1)).cast<double>();
+  if (row.parallax) at += row.w[i] * row.e.cast<double>();
   const double u = std::clamp(at.x() / at.z(), 0.0, image.cols - 2 - 1.0 / 128);
   const double v = std::clamp(at.y() / at.z(), 0.0, image.rows - 1 - 1.0 / 128);
   const int x = static_cast<int>(u), y = static_cast<int>(v);
@@ -73,19 +88,19 @@ double Expected(const cv::Mat3b& image, const Row& row, int i, int channel) {
          down * ((1 - right) * image(y + 1, x)[channel] + right * image(y + 1, x + 1)[channel]);
 }
 
-TEST(RowKernels, OneSampleIsTheBilinearValueInEveryInstructionSet) {
-  const cv::Mat3b image = Speckles(90, 60);
+TEST(RowKernels, SamplesAreBilinearValuesAndTheirMeans) {
+  const cv::Mat3b image = Speckles(90, 60), other = cv::Scalar::all(255) - image;
   for (const RowKernels* kernels : UsableRowKernels()) {
     for (const bool parallax : {false, true}) {
-      Row row(640);
-      if (parallax) row.SeeParallax();
-      Guarded seen(640);
-      BilinearRow(*kernels).Sample(image, row.places, 640, seen.data());
+      const Row row(640, parallax);
+      const auto one = row.Seen(*kernels, {image}),
+                 mean = row.Seen(*kernels, {image, image, other});
       for (int i = 0; i < 640; ++i) {
         for (int channel = 0; channel < 3; ++channel) {
           // A place is off by 1/256 px along each axis, and neighbours differ by up to 255.
-          EXPECT_NEAR(seen.bytes[3 * i + channel], Expected(image, row, i, channel), 2.6)
-              << kernels->name << " " << i;
+          const double expected = Expected(image, row, i, channel);
+          EXPECT_NEAR(one[3 * i + channel], expected, 2.6) << kernels->name << " " << i;
+          EXPECT_NEAR(mean[3 * i + channel], (expected + 255) / 3, 1.4) << kernels->name;
         }
       }
     }
@@ -93,45 +108,17 @@ TEST(RowKernels, OneSampleIsTheBilinearValueInEveryInstructionSet) {
 }
 
 TEST(RowKernels, EveryInstructionSetSamplesTheSameBitsAndStaysInItsRow) {
-  const cv::Mat3b image = Speckles(90, 60), other = Speckles(70, 80);
+  const std::vector<cv::Mat3b> one{Speckles(90, 60)};
+  const std::vector<cv::Mat3b> several{one[0], Speckles(70, 80), one[0]};
   const RowKernels& reference = *UsableRowKernels().back();
   for (const RowKernels* kernels : UsableRowKernels()) {
     for (const int width : kWidths) {
       for (const bool parallax : {false, true}) {
-        Row row(width);
-        if (parallax) row.SeeParallax();
-        const auto mean_of_three = [&](const RowKernels& with, Guarded& to) {
-          BilinearRow sampler(with);
-          sampler.Start(width);
-          for (const cv::Mat3b* source : {&image, &other, &image}) {
-            sampler.Add(*source, row.places);
-          }
-          sampler.Store(to.data());
-        };
-        Guarded one(width), expected_one(width), mean(width), expected_mean(width);
-        BilinearRow(*kernels).Sample(image, row.places, width, one.data());
-        BilinearRow(reference).Sample(image, row.places, width, expected_one.data());
-        mean_of_three(*kernels, mean);
-        mean_of_three(reference, expected_mean);
-        EXPECT_EQ(one.bytes, expected_one.bytes) << kernels->name << " " << width;
-        EXPECT_EQ(mean.bytes, expected_mean.bytes) << kernels->name << " " << width;
-        EXPECT_TRUE(one.Holds() && mean.Holds()) << kernels->name << " " << width;
+        const Row row(width, parallax);
+        EXPECT_EQ(row.Seen(*kernels, one), row.Seen(reference, one)) << kernels->name;
+        EXPECT_EQ(row.Seen(*kernels, several), row.Seen(reference, several)) << kernels->name;
       }
     }
-  }
-}
-
-TEST(RowKernels, OneSampleIsWhatAddingOneGives) {
-  const cv::Mat3b image = Speckles(90, 60);
-  for (const RowKernels* kernels : UsableRowKernels()) {
-    const Row row(73);
-    Guarded at_once(73), summed(73);
-    BilinearRow sampler(*kernels);
-    sampler.Sample(image, row.places, 73, at_once.data());
-    sampler.Start(73);
-    sampler.Add(image, row.places);
-    sampler.Store(summed.data());
-    EXPECT_EQ(at_once.bytes, summed.bytes) << kernels->name;
   }
 }
 
