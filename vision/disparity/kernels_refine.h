@@ -15,13 +15,17 @@
 namespace horopter::vision::HOROPTER_KERNELS {
 
 inline void KeepBest(const KeepTask& t, int x_begin, int x_end) {
-  S16 favour{};
+  S16 counts{}, favour{};
+  for (int k = 0; k < kLanes; ++k) {
+    counts[k] = k < t.lanes ? -1 : 0;
+    favour[k] = k < t.lanes ? 0 : -32768;  // below every score
+  }
   favour[0] = t.favour_own;
-  for (int k = t.lanes; k < kLanes; ++k) favour[k] = -16000;  // below every score
   RowBelow below;
   for (int y = t.pool.height - 1; y >= 0; --y) {
     for (int x = x_begin; x < x_end; ++x) {
-      const Greatest found = GreatestLane(PoolUp(t.pool, x, y, below[x - x_begin]) + favour);
+      const S16 scores = (PoolUp(t.pool, x, y, below[x - x_begin]) & counts) + favour;
+      const Greatest found = GreatestLane(scores);
       const std::int64_t pixel = std::int64_t{y} * t.pool.width + x;
       const bool better = t.first || found.value > t.best[pixel];
       t.best[pixel] = better ? found.value : t.best[pixel];
