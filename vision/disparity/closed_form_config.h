@@ -41,8 +41,9 @@ struct ClosedFormConfig {
   /// Neighbours whose disparity is tried, in four directions at each of these distances [px]; the
   /// fourth in three directions, so that they fill kLanes with the pixel's own.
   std::array<int, 4> neighbour_px = {1, 4, 14, 44};
-  /// Competitions for each octave.
-  int rounds = 2;
+  /// Competitions for each octave. Measured: a second one finds 3 points of density more and as many
+  /// false matches among them as a lower min_coherence lets in, which costs no time.
+  int rounds = 1;
   /// Also disparities 2 px from the pixel's own compete, in the first round of octaves from this
   /// one on.
   int try_steps_from = 0;
@@ -84,8 +85,10 @@ struct ClosedFormConfig {
 
   // --- Checks ---
 
-  /// Pooled binocular correlation of the winning hypothesis below which it is invalid.
-  double min_coherence = 0.37;
+  /// Pooled binocular correlation of the winning hypothesis below which it is invalid. It is that
+  /// of the last competition, before the intersections of constraints that follow. Chosen for a
+  /// density of 0.80 on the least dense of the three turns.
+  double min_coherence = 0.23;
   /// Largest distance between a pixel and where its match points back to [px]; 0 = no check, and
   /// half the time.
   double left_right_px = 0.8;

@@ -84,7 +84,6 @@ V1Config V1Config::Preset(std::string_view name) {
     ClosedFormConfig& c = config.closed_form;
     c.fill_in = name == "dense";
     if (name == "accurate" || name == "dense") return config;
-    c.rounds = 1;
     c.explore_from = 2;
     c.iterations = 2;
     c.neighbour_px = {1, 6, 24, 0};

@@ -169,7 +169,8 @@ struct V1Config {
   /// Every field that does not hold, of the form that is chosen.
   std::vector<hardware::FieldError> Validate() const;
 
-  /// Closed form: "accurate": its defaults. "fast": one round, fewer octaves explored. "realtime":
+  /// Closed form: "accurate": its defaults. "fast": fewer neighbours, octaves
+  /// explored and intersections. "realtime":
   /// the same at half size, doubled. "dense": "accurate", filled in.
   /// Population form: "checked": the defaults above. "cautious": what a robot may drive by, webcam
   /// noise and only what the finest octave itself sees, at the price of density. "paper_2009" and

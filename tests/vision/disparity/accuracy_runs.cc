@@ -57,7 +57,7 @@ std::vector<MethodResult> RunMethods(const std::vector<MethodChoice>& methods,
   std::vector<MethodResult> results;
   for (Contestant& c : contestants) {
     const FieldScores scores = ScoreDisparity({c.field.dx, c.field.dy}, {pair.dx, pair.dy});
-    results.push_back({c.choice.name(), *scores.vector, Median(c.ms)});
+    results.push_back({c.choice.name(), *scores.vector, Median(c.ms), c.field});
   }
   return results;
 }

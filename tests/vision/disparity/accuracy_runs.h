@@ -27,6 +27,7 @@ struct MethodResult {
   std::string name;
   ErrorScore score;  ///< of the vector
   double median_ms = 0;
+  DisparityField field;
 };
 
 /// Estimates and times all methods on one pair, one pass of each in turn, so that what disturbs the

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accuracy_scenes.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
+#include <numbers>
 #include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+#include <stdexcept>
 
 namespace horopter::vision::testing {
 namespace {
@@ -41,10 +50,10 @@ std::vector<AccuracyScene> RealScenes(const std::string& data_folder, const std:
   const auto wanted = [&part](const std::string& name) {
     return name.find(part) != std::string::npos;
   };
-  for (const auto& [name, turn] :
-       {std::pair<std::string, EyeTurn>{"Motorcycle verged A (2, .3, .5) deg", {2, 0.3, 0.5}},
-        {"Motorcycle verged B (4, -.5, 1.5) deg", {4, -0.5, 1.5}},
-        {"Motorcycle verged C (-1, 1, 0) deg", {-1, 1, 0}}}) {
+  for (std::size_t i = 0; i < kTurns.size(); ++i) {
+    const EyeTurn& turn = kTurns[i];
+    const std::string name = fmt::format("Motorcycle verged {:c} ({}, {}, {}) deg", 'A' + i,
+                                         turn.pan_deg, turn.tilt_deg, turn.roll_deg);
     if (wanted(name)) scenes.push_back({name, VergedMotorcycle(data_folder, turn), std::nullopt});
   }
   struct Published {
@@ -62,6 +71,48 @@ std::vector<AccuracyScene> RealScenes(const std::string& data_folder, const std:
     if (const auto aloe = AloePair()) scenes.push_back({"Aloe", *aloe, SearchRange{0, 224}});
   }
   return scenes;
+}
+
+StereoCameras MotorcycleCameras() {
+  constexpr double kFocalPx = 994.978, kRow = 254.877;
+  return {hardware::CameraModel({741, 500, kFocalPx, kFocalPx, 311.193, kRow}),
+          hardware::CameraModel({741, 500, kFocalPx, kFocalPx, 342.279, kRow})};
+}
+
+hardware::Pose MotorcyclePose(const EyeTurn& turn) {
+  constexpr double kBaselineM = 0.193001, kDeg = std::numbers::pi / 180;
+  using Eigen::AngleAxisd, Eigen::Vector3d;
+  hardware::Pose X_ClCr = hardware::Pose::Identity();
+  X_ClCr.linear() = (AngleAxisd(turn.roll_deg * kDeg, Vector3d::UnitZ()) *
+                     AngleAxisd(turn.tilt_deg * kDeg, Vector3d::UnitX()) *
+                     AngleAxisd(turn.pan_deg * kDeg, Vector3d::UnitY()))
+                        .toRotationMatrix()
+                        .transpose();
+  X_ClCr.translation().x() = kBaselineM;
+  return X_ClCr;
+}
+
+AccuracyScene RenderedScene(const std::string& folder) {
+  const std::filesystem::path frame = std::filesystem::path(folder) / "000000";
+  const auto read = [&frame](const char* name) {
+    cv::Mat image = cv::imread((frame / name).string());
+    if (image.empty()) throw std::runtime_error("cannot read " + (frame / name).string());
+    return image;
+  };
+  const cv::Mat2f flow = cv::readOpticalFlow((frame / "left_disparity.flo").string());
+  if (flow.empty()) throw std::runtime_error("cannot read its left_disparity.flo: " + folder);
+  constexpr float kFloUnknown = 1e9F;  // as the format's authors have it
+  PairWithTruth pair{read("left.png"), read("right.png"), cv::Mat1f(flow.size()),
+                     cv::Mat1f(flow.size())};
+  for (int y = 0; y < flow.rows; ++y) {
+    for (int x = 0; x < flow.cols; ++x) {
+      const bool known =
+          std::abs(flow(y, x)[0]) < kFloUnknown && std::abs(flow(y, x)[1]) < kFloUnknown;
+      pair.dx(y, x) = known ? flow(y, x)[0] : kUnknown;
+      pair.dy(y, x) = known ? flow(y, x)[1] : kUnknown;
+    }
+  }
+  return {std::filesystem::path(folder).filename().string(), pair, std::nullopt};
 }
 
 PairWithTruth WithNoise(const PairWithTruth& pair, double sigma_grey) {

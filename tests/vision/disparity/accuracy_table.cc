@@ -9,8 +9,11 @@
 #include <functional>
 #include <iostream>
 #include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
+#include "accuracy_ablation.h"
+#include "accuracy_pictures.h"
 #include "accuracy_plot.h"
 #include "accuracy_runs.h"
 #include "accuracy_scenes.h"
@@ -25,9 +28,11 @@ struct Options {
       "v1:accurate", "v1:fast",       "v1:realtime",          "v1:checked",         "dis:medium",
       "dis:fast",    "dis:ultrafast", "dis:medium_unchecked", "farneback:standard", "sgbm:3way",
       "sgbm:sgbm",   "sgbm:hh4",      "bm:block_15"};
-  std::vector<std::string> parts = {"scenes", "noise", "gain", "vertical", "range"};
+  std::vector<std::string> parts = {"scenes", "noise", "gain", "vertical", "range", "ablation"};
+  std::vector<std::string> rendered;
   std::string scene;
   std::string plot;
+  std::string pictures;
   std::string data;
   int repeat = 5;
 };
@@ -127,6 +132,34 @@ void PrintRange(const std::vector<MethodChoice>& methods, const std::string& dat
   PrintDegradations(scene.name + ", right eye shifted by px", columns, methods, std::nullopt);
 }
 
+/// A row for each change, and for each verged pair its median, bad-2 and density.
+void PrintAblation(const std::string& data) {
+  std::cout
+      << "\n### The preset accurate with one thing changed, Motorcycle verged A, B, C: median "
+         "px, bad-2 (density), ms\n\n| change | A | B | C |\n|---|---:|---:|---:|\n";
+  std::vector<PairWithTruth> pairs;
+  for (const EyeTurn& turn : kTurns) pairs.push_back(VergedMotorcycle(data, turn));
+  for (const Ablation& ablation : Ablations()) {
+    std::cout << "| " << ablation.change << " |";
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const AblationResult r = RunAblation(ablation, pairs[i], kTurns[i]);
+      std::cout << fmt::format(" {:.3f}, {:.3f} ({:.3f}), {:.0f} |", r.median_px, r.bad2, r.density,
+                               r.ms);
+    }
+    std::cout << std::endl;
+  }
+}
+
+void WritePictures(const std::string& file, const AccuracyScene& scene,
+                   const std::vector<MethodResult>& results) {
+  constexpr int kWidth = 720;
+  std::vector<std::pair<std::string, DisparityField>> fields;
+  for (const MethodResult& result : results) fields.emplace_back(result.name, result.field);
+  if (!cv::imwrite(file, ComparePictures(scene.pair, fields, kWidth))) {
+    throw std::runtime_error("cannot write " + file);
+  }
+}
+
 int Run(const Options& options) {
   std::string data = options.data;
   if (data.empty()) {
@@ -146,13 +179,19 @@ int Run(const Options& options) {
       const auto results = RunMethods(methods, scene.pair, scene.range, options.repeat);
       PrintScene(scene, results);
       if (!first_name.empty()) continue;
+      if (!options.pictures.empty()) WritePictures(options.pictures, scene, results);
       first = results;
       first_name = scene.name;
     }
     if (!options.plot.empty()) std::ofstream(options.plot) << AccuracyPlot(first_name, first);
   }
+  for (const std::string& folder : options.rendered) {
+    const AccuracyScene scene = RenderedScene(folder);
+    PrintScene(scene, RunMethods(methods, scene.pair, scene.range, options.repeat));
+  }
   PrintRobustness(options, methods, data);
   if (wanted("range")) PrintRange(methods, data);
+  if (wanted("ablation")) PrintAblation(data);
   return 0;
 }
 
@@ -163,12 +202,16 @@ int main(int argc, char** argv) {
   horopter::vision::testing::Options options;
   CLI::App app{"Accuracy and time of disparity methods on real pairs with truth"};
   app.add_option("--methods", options.methods, "METHOD:PRESET,...")->delimiter(',');
-  app.add_option("--parts", options.parts, "scenes, noise, gain, vertical, range")
+  app.add_option("--parts", options.parts, "scenes, noise, gain, vertical, range, ablation")
       ->delimiter(',')
-      ->check(CLI::IsMember({"scenes", "noise", "gain", "vertical", "range"}));
+      ->check(CLI::IsMember({"scenes", "noise", "gain", "vertical", "range", "ablation"}));
+  app.add_option("--rendered", options.rendered,
+                 "Folders of data sets of `horopter render --truth`, whose first frame is a scene");
   app.add_option("--scene", options.scene, "Only scenes whose name contains this");
   app.add_option("--repeat", options.repeat, "Timed passes")->check(CLI::Range(1, 1000));
   app.add_option("--plot", options.plot, "SVG of the first scene");
+  app.add_option("--pictures", options.pictures,
+                 "PNG of the first scene's fields beside the truth");
   app.add_option("--data", options.data, "Folder of motorcycle/, teddy/, reindeer/");
   CLI11_PARSE(app, argc, argv);
   try {

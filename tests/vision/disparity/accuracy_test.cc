@@ -5,14 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/video/tracking.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "accuracy_ablation.h"
+#include "accuracy_pictures.h"
 #include "accuracy_plot.h"
 #include "accuracy_runs.h"
 #include "accuracy_scenes.h"
 #include "textured_pair.h"
+#include "vision/disparity/epipolar_prior.h"
 
 namespace horopter::vision::testing {
 namespace {
@@ -75,6 +81,90 @@ TEST(AccuracyScenes, MovedImagesTakeTheirTruthAlong) {
   const cv::Point match(cvRound(at.x + shifted.dx(at)), cvRound(at.y + shifted.dy(at)));
   EXPECT_LE(std::abs(shifted.left.at<uchar>(at) - shifted.right.at<uchar>(match)), 1);
   EXPECT_EQ(cv::countNonZero(shifted.dx == shifted.dx), kSize.area()) << "no truth is lost";
+}
+
+/// A data set's frame as `horopter render --truth` lays it out.
+class RenderedFrame : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_ / "000000"); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string In(const char* name) const { return (folder_ / "000000" / name).string(); }
+
+  std::filesystem::path folder_ = std::filesystem::path(::testing::TempDir()) /
+                                  ::testing::UnitTest::GetInstance()->current_test_info()->name() /
+                                  "near";
+};
+
+TEST_F(RenderedFrame, IsASceneOfItsName) {
+  const PairWithTruth pair = Pair();
+  cv::Mat2f flow(kSize, cv::Vec2f(kDx, 1));
+  flow(3, 4) = {1e10F, 1e10F};
+  cv::imwrite(In("left.png"), pair.left);
+  cv::imwrite(In("right.png"), pair.right);
+  cv::writeOpticalFlow(In("left_disparity.flo"), flow);
+  const AccuracyScene scene = RenderedScene(folder_.string());
+  EXPECT_EQ(scene.name, "near");
+  EXPECT_EQ(scene.pair.left.size(), kSize);
+  EXPECT_EQ(scene.pair.dx(3, 3), kDx);
+  EXPECT_EQ(scene.pair.dy(3, 3), 1);
+  EXPECT_TRUE(std::isnan(scene.pair.dx(3, 4)));
+}
+
+TEST_F(RenderedFrame, NamesWhatIsMissing) {
+  try {
+    RenderedScene(folder_.string());
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("left_disparity.flo"));
+  }
+}
+
+TEST(AccuracyScenes, TheMotorcyclePoseExplainsItsTruth) {
+  const auto data = DataFolder();
+  if (!data) GTEST_SKIP() << kDataRemedy;
+  const StereoCameras cameras = MotorcycleCameras();
+  for (const EyeTurn& turn : kTurns) {
+    const PairWithTruth pair = VergedMotorcycle(*data, turn);
+    RelativePose pose{MotorcyclePose(turn)};
+    const EpipolarPrior prior(cameras.left, cameras.right, pose, {.min_depth_m = 1});
+    int allowed = 0, known = 0;
+    for (int y = 0; y < pair.dx.rows; y += 7) {
+      for (int x = 0; x < pair.dx.cols; x += 7) {
+        if (std::isnan(pair.dx(y, x))) continue;
+        ++known;
+        allowed += prior.Allows(x, y, pair.dx(y, x), pair.dy(y, x)) ? 1 : 0;
+      }
+    }
+    EXPECT_GT(allowed, 0.999 * known);
+  }
+}
+
+TEST(Ablations, EveryChangeIsAConfigThatRunsAndChangesSomething) {
+  const SyntheticPair textured = ShiftedPair({160, 120}, -6, 1);
+  const PairWithTruth pair{textured.left, textured.right, cv::Mat1f(120, 160, -6.0F),
+                           cv::Mat1f(120, 160, 1.0F)};
+  const std::vector<Ablation> all = Ablations();
+  EXPECT_GT(all.size(), 15U);
+  for (const Ablation& ablation : all) {
+    EXPECT_TRUE(ablation.config.Validate().empty()) << ablation.change;
+    if (ablation.with_prior) continue;  // of Motorcycle's cameras
+    const AblationResult result = RunAblation(ablation, pair, {});
+    EXPECT_GE(result.density, 0) << ablation.change;
+    EXPECT_GT(result.ms, 0) << ablation.change;
+  }
+  EXPECT_GT(RunAblation(all[0], pair, {}).density, 0.8);
+}
+
+TEST(ComparePictures, HasARowForTheTruthAndForEachField) {
+  const PairWithTruth pair = Pair();
+  DisparityField field{pair.dx.clone(), pair.dy.clone(), {}, {}};
+  field.dx(60, 40) = field.dy(60, 40) = NAN;
+  field.dx.colRange(150, 200) = kDx + 5;
+  const cv::Mat3b picture = ComparePictures(pair, {{"a", field}, {"b", field}}, 400);
+  EXPECT_EQ(picture.size(), cv::Size(400, 3 * 120));
+  EXPECT_EQ(picture(120 + 60, 40), cv::Vec3b(0, 0, 0)) << "invalid is black";
+  EXPECT_EQ(picture(120 + 60, 200 + 100), cv::Vec3b(0, 0, 0)) << "no error is black";
+  EXPECT_EQ(picture(120 + 60, 200 + 180), cv::Vec3b(255, 255, 255)) << "a large one white";
 }
 
 TEST(AccuracyRuns, MethodsGoByName) {
