@@ -10,7 +10,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "kernel_test_data.h"
+#include "kernel_test.h"
+#include "random_cells.h"
 #include "textured_pair.h"
 #include "vision/disparity/edge_map.h"
 #include "vision/disparity/gabor_bank.h"

@@ -9,7 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "kernel_test_data.h"
+#include "kernel_test.h"
+#include "random_cells.h"
 #include "vision/disparity/binocular_energy.h"
 #include "vision/disparity/closed_form_kernels.h"
 

@@ -9,7 +9,8 @@
 #include <complex>
 #include <vector>
 
-#include "kernel_test_data.h"
+#include "kernel_test.h"
+#include "random_cells.h"
 
 namespace horopter::vision {
 namespace {

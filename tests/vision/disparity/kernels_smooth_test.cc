@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <vector>
 
-#include "kernel_test_data.h"
+#include "kernel_test.h"
 #include "vision/disparity/closed_form_kernels.h"
 
 namespace horopter::vision {

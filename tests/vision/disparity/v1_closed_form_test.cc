@@ -2,25 +2,30 @@
 #include "vision/disparity/v1_closed_form.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "on_threads.h"
 #include "textured_pair.h"
 #include "vision/disparity/v1_config.h"
 
 namespace horopter::vision {
 namespace {
 
+using testing::OnThreads;
 using testing::ScoreWarp;
 using testing::ShiftedPair;
 using testing::SyntheticPair;
@@ -141,15 +146,34 @@ TEST(V1ClosedForm, EveryInstructionSetGivesTheSameBits) {
   }
 }
 
+/// All of five threads meet within one loop: the tests of threads have as many as they ask for.
+TEST(OnThreads, AreAsManyAsAskedFor) {
+  const auto meet = [] {
+    std::atomic<int> arrived = 0;
+    const auto start = std::chrono::steady_clock::now();
+    tbb::parallel_for(
+        0, 5,
+        [&](int) {
+          ++arrived;
+          while (arrived < 5 && std::chrono::steady_clock::now() - start < std::chrono::seconds(30))
+            std::this_thread::yield();
+        },
+        tbb::simple_partitioner());
+    return std::chrono::steady_clock::now() - start;
+  };
+  EXPECT_LT(OnThreads(5, meet), std::chrono::seconds(30));
+}
+
 TEST(V1ClosedForm, IsTheSameOnAnyNumberOfThreads) {
-  const SyntheticPair pair = ShiftedPair({320, 240}, 9.2, 1.1);
-  DisparityField one_thread;
-  {
-    const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
-    one_thread = Estimate(Preset("accurate"), pair);
+  for (const cv::Size size : {cv::Size(321, 243), cv::Size(97, 211), cv::Size(65, 9)}) {
+    const SyntheticPair pair = ShiftedPair(size, 9.2, 1.1);
+    for (const char* preset : {"accurate", "dense", "fast", "realtime"}) {
+      SCOPED_TRACE(::testing::Message() << preset << " " << size);
+      const auto estimate = [&] { return Estimate(Preset(preset), pair); };
+      const DisparityField one_thread = OnThreads(1, estimate);
+      for (const int threads : {2, 5}) ExpectSameBits(one_thread, OnThreads(threads, estimate));
+    }
   }
-  const tbb::global_control many(tbb::global_control::max_allowed_parallelism, 5);
-  ExpectSameBits(one_thread, Estimate(Preset("accurate"), pair));
 }
 
 TEST(V1ClosedForm, RemembersNothingOfEarlierPairs) {

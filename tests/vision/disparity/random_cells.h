@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdint>
 #include <opencv2/core.hpp>
-#include <string>
 #include <vector>
 
 #include "vision/disparity/cell_image.h"
 #include "vision/disparity/closed_form_kernels.h"
 
 namespace horopter::vision::testing {
-
-/// A test of the loops of one instruction set: the parameter is its name.
-class KernelTest : public ::testing::TestWithParam<std::string> {
- protected:
-  const ClosedFormKernels& kernels_ = SelectKernels(GetParam());
-};
-
-/// The instruction sets that this processor runs, as values of a KernelTest.
-inline auto EveryKernel() {
-  std::vector<std::string> names;
-  for (const std::string_view name : UsableKernels()) names.emplace_back(name);
-  return ::testing::ValuesIn(names);
-}
-
-inline std::string NameOf(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
 
 inline std::int8_t ToCell(double value) {
   return static_cast<std::int8_t>(std::lround(std::clamp(value, -kCellOne, kCellOne)));
