@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <opencv2/core.hpp>
+
+#include "on_threads.h"
 
 namespace horopter::vision {
 namespace {
@@ -52,6 +55,49 @@ TEST(InvalidateOutside, BorderCountsInBothImages) {
   EXPECT_EQ(field.valid(5, 15), 0);  // its match is too near to the right image's
   EXPECT_EQ(field.valid(2, 8), 0);
   EXPECT_EQ(field.valid(7, 8), 0);
+}
+
+/// More rows than a block has, on one thread and on five, against the definition.
+TEST(LeftRightCheck, EveryRowIsCheckedOnAnyNumberOfThreads) {
+  const cv::Size size(65, 203);
+  cv::RNG random(31);
+  DisparityField field = Uniform(size, 0, 0), back = Uniform(size, 0, 0);
+  for (cv::Mat1f* map : {&field.dx, &field.dy, &back.dx, &back.dy}) {
+    random.fill(*map, cv::RNG::UNIFORM, -3, 3);
+  }
+  random.fill(back.valid, cv::RNG::UNIFORM, 0, 2);
+  const auto expected = [&](int x, int y) {
+    const float to_x = static_cast<float>(x) + field.dx(y, x);
+    const float to_y = static_cast<float>(y) + field.dy(y, x);
+    if (to_x < 0 || to_y < 0 || to_x > 64 || to_y > 202) return false;
+    const cv::Point match(cvRound(to_x), cvRound(to_y));
+    return back.valid(match) != 0 &&
+           std::hypot(field.dx(y, x) + back.dx(match), field.dy(y, x) + back.dy(match)) <= 1.5F;
+  };
+  for (const int threads : {1, 5}) {
+    DisparityField checked = field;
+    checked.valid = field.valid.clone();
+    testing::OnThreads(threads, [&] {
+      InvalidateOutside(checked);
+      CheckLeftRight(back, 1.5, checked);
+    });
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        ASSERT_EQ(checked.valid(y, x) != 0, expected(x, y)) << x << " " << y;
+      }
+    }
+    EXPECT_GT(cv::countNonZero(checked.valid), 900);
+  }
+}
+
+TEST(InvalidateOutside, DropsWhatHasNoMatch) {
+  DisparityField field = Uniform({20, 70}, 1, 1);
+  field.dx(40, 7) = std::nanf("");
+  field.dy(41, 7) = std::nanf("");
+  InvalidateOutside(field);
+  EXPECT_EQ(field.valid(40, 7), 0);
+  EXPECT_EQ(field.valid(41, 7), 0);
+  EXPECT_EQ(cv::countNonZero(field.valid), 19 * 69 - 2);
 }
 
 TEST(BlankInvalid, WritesNaNExactlyWhereInvalid) {
