@@ -128,8 +128,8 @@ void CandidateSearch::Run(const ViewPyramid& from, const ViewPyramid& to,
     Median();
   }
   const float one = static_cast<float>(kScoreOne);
-  field.dx = cv::Mat1f(height_, width_, field_.dx.data()).clone();
-  field.dy = cv::Mat1f(height_, width_, field_.dy.data()).clone();
+  cv::Mat1f(height_, width_, field_.dx.data()).copyTo(field.dx);
+  cv::Mat1f(height_, width_, field_.dy.data()).copyTo(field.dy);
   field.confidence.create(height_, width_);
   field.valid.create(height_, width_);
   ForRows([&](int y) {
@@ -178,9 +178,9 @@ void CandidateSearch::SearchRange(const Range& range) {
 
 CandidateSearch::Range CandidateSearch::Likely(const Range& range) {
   const std::size_t pixels = static_cast<std::size_t>(width_) * height_;
-  std::vector<std::int16_t> scores(best_.data(), best_.data() + pixels);
-  const auto middle = scores.begin() + static_cast<std::ptrdiff_t>(pixels / 2);
-  std::nth_element(scores.begin(), middle, scores.end());
+  scores_.assign(best_.data(), best_.data() + pixels);
+  const auto middle = scores_.begin() + static_cast<std::ptrdiff_t>(pixels / 2);
+  std::nth_element(scores_.begin(), middle, scores_.end());
   const auto spread = [&](const float* component, int low, int high) {
     sample_.clear();
     for (std::size_t i = 0; i < pixels; ++i) {
@@ -352,10 +352,13 @@ void CandidateSearch::Smooth() {
 
 void CandidateSearch::Median() {
   if (config_.median_px == 0) return;
-  for (PaddedMap<float>* component : {&field_.dx, &field_.dy}) {
-    cv::Mat1f map(height_, width_, component->data());
-    cv::medianBlur(map, map, config_.median_px);
-  }
+  const auto filter = [this](PaddedMap<float>& from, PaddedMap<float>& to) {
+    cv::Mat1f filtered(height_, width_, to.data());
+    cv::medianBlur(cv::Mat1f(height_, width_, from.data()), filtered, config_.median_px);
+  };
+  filter(field_.dx, other_.dx);
+  filter(field_.dy, other_.dy);
+  std::swap(field_, other_);
 }
 
 void CandidateSearch::TakeWinners() {

@@ -101,6 +101,7 @@ class CandidateSearch {
   PaddedMap<std::int32_t> winner_;
   std::vector<Origin> origins_;
   std::vector<float> sample_;
+  std::vector<std::int16_t> scores_;
 };
 
 }  // namespace horopter::vision

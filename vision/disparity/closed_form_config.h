@@ -29,7 +29,10 @@ struct ClosedFormConfig {
   // --- Where hypotheses come from ---
 
   /// The coarsest octave, where every disparity within +-search_x_px, +-search_y_px (at full size)
-  /// competes. No range need be known beforehand: at 1/16 there are few pixels to try them at.
+  /// competes. No range need be known beforehand: at 1/16 there are few pixels to try them at, and
+  /// so wide a range (45 % of a VGA image's width, and what a head's eyes are apart vertically,
+  /// with room to spare) takes a twentieth of the time. Disparities beyond it are not found: a
+  /// larger image of the same scene needs a larger one.
   int search_octave = 4;
   int search_x_px = 288;
   int search_y_px = 48;
@@ -38,11 +41,13 @@ struct ClosedFormConfig {
   /// finds what is too small for the coarser octaves.
   int explore_from = 1;
   int explore_to = 2;
-  /// Neighbours whose disparity is tried, in four directions at each of these distances [px]; the
+  /// Neighbours whose disparity is tried, in four directions at each of these distances [px]. Near
+  /// ones carry a surface on, far ones across what hides it; without the two farthest density falls
+  /// by 3 points. The
   /// fourth in three directions, so that they fill kLanes with the pixel's own.
   std::array<int, 4> neighbour_px = {1, 4, 14, 44};
-  /// Competitions for each octave. Measured: a second one finds 3 points of density more and as many
-  /// false matches among them as a lower min_coherence lets in, which costs no time.
+  /// Competitions for each octave. Measured: a second one finds 3 points of density more and as
+  /// many false matches among them as a lower min_coherence lets in, which costs no time.
   int rounds = 1;
   /// Also disparities 2 px from the pixel's own compete, in the first round of octaves from this
   /// one on.
@@ -59,10 +64,11 @@ struct ClosedFormConfig {
   // --- Pooling: domain transform filters of the left image's colours ---
 
   /// Deviation [px] on plain ground, and the sum of colour differences that counts as much as that
-  /// many pixels. Of scores:
+  /// many pixels. Scores decide between surfaces, so that a small step of colour stops them: pooled
+  /// across edges they make half as many false matches again. Of scores:
   double score_pool_px = 4;
   double score_pool_grey = 20;
-  /// Of binocular products.
+  /// Of binocular products, which only average: wider is smoother, and edges matter less.
   double product_pool_px = 4;
   double product_pool_grey = 60;
 
@@ -76,11 +82,13 @@ struct ClosedFormConfig {
   /// must be added to its mean disparity: added to each pixel's own they leave its noise.
   int smooth_px = 4;
   double smooth_step_px = 1;
-  /// Part of the trace added to the diagonal of the least squares.
+  /// Part of the trace added to the diagonal of the least squares: where all orientations see one
+  /// direction, the field does not move along the other.
   double ridge = 0.02;
-  /// Largest step of an intersection [px].
+  /// Largest step of an intersection [px]; a phase says no more than +-1.3.
   double max_step_px = 2;
-  /// Median of the disparity after each octave: 0 (none), 3 or 5.
+  /// Median of the disparity after each octave: 0 (none), 3 or 5. Without it false matches of a few
+  /// pixels reach the next octave, and 8 points of density are lost to the checks.
   int median_px = 5;
 
   // --- Checks ---
@@ -89,10 +97,11 @@ struct ClosedFormConfig {
   /// of the last competition, before the intersections of constraints that follow. Chosen for a
   /// density of 0.80 on the least dense of the three turns.
   double min_coherence = 0.23;
-  /// Largest distance between a pixel and where its match points back to [px]; 0 = no check, and
-  /// half the time.
+  /// Largest distance between a pixel and where its match points back to [px]; 0 = no check, half
+  /// the time and half as many false matches again.
   double left_right_px = 0.8;
-  /// Smallest segment of smooth disparity that is kept [px], and the largest step inside one.
+  /// Smallest segment of smooth disparity that is kept [px], and the largest step inside one: false
+  /// matches come as islands.
   int min_segment_px = 200;
   double segment_step_px = 1;
   /// Give invalid pixels the disparity around them (FillIn), marked as such.

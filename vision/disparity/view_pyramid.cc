@@ -5,7 +5,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "vision/disparity/image_pair.h"
 #include "vision/disparity/noise_level.h"
 
 namespace horopter::vision {
@@ -24,7 +23,12 @@ void ViewPyramid::Build(const cv::Mat& image, int octaves) {
   octaves_[0].colour = image;
   octaves_[0].grey.Resize(image.cols, image.rows);
   cv::Mat1f grey = GreyOf(octaves_[0]);
-  ToGrey(image).convertTo(grey, CV_32F);
+  if (image.channels() == 1) {
+    image.convertTo(grey, CV_32F);
+  } else {
+    cv::cvtColor(image, grey_8_, cv::COLOR_BGR2GRAY);
+    grey_8_.convertTo(grey, CV_32F);
+  }
   noise_grey_ = NoiseLevel(grey);
   size_ = 1;
   while (size_ < octaves) {

@@ -48,6 +48,7 @@ class ViewPyramid {
   int size_ = 0;
   int finest_ = 0;
   double noise_grey_ = 0;
+  cv::Mat1b grey_8_;
   std::vector<ViewOctave> octaves_;
 };
 

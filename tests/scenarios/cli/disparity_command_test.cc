@@ -89,6 +89,9 @@ TEST_F(DisparityCommand, JsonSaysWhatRanAndHowLong) {
   EXPECT_EQ(report.at("width"), kSize.width);
   EXPECT_EQ(report.at("height"), kSize.height);
   EXPECT_EQ(report.at("repeat"), 3);
+  EXPECT_GE(report.at("threads"), 1);
+  EXPECT_THAT(report.at("instruction_set").get<std::string>(),
+              ::testing::AnyOf("portable", "avx2", "avx512"));
   EXPECT_GT(report.at("density"), 0.7);
   EXPECT_LE(report.at("density"), 1);
   EXPECT_GT(report.at("total_ms"), 0);
@@ -103,6 +106,14 @@ TEST_F(DisparityCommand, WhatWasFilledInIsSaid) {
   EXPECT_GT(report.at("filled"), 0);
   EXPECT_LT(report.at("filled"), 0.3);
   EXPECT_THAT(Estimate(Pair() + "--preset dense"), HasSubstr("filled in)"));
+}
+
+TEST_F(DisparityCommand, AnyMethodsFieldCanBeFilledIn) {
+  for (const char* method : {"--method dis", "--preset dense"}) {
+    const auto report = nlohmann::json::parse(Estimate(Pair() + method + " --fill-in --json"));
+    EXPECT_EQ(report.at("density"), 1) << method;
+    EXPECT_GT(report.at("filled"), 0) << method;
+  }
 }
 
 TEST_F(DisparityCommand, TextSaysTheSame) {

@@ -12,7 +12,9 @@ constexpr double kWorstPx = 2;
 
 /// Values from low to high in colours; unknown ones black.
 cv::Mat3b Coloured(const cv::Mat1f& values, double low, double high, int colours) {
-  const cv::Mat1b unknown = values != values;
+  // cv's != finds no NaN.
+  const cv::Mat1b is_known = values == values;
+  const cv::Mat1b unknown = ~is_known;
   cv::Mat1f known = values.clone();
   known.setTo(low, unknown);
   const double scale = 255 / std::max(high - low, 1e-6);
