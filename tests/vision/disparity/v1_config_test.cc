@@ -10,16 +10,52 @@
 #include <string>
 
 #include "vision/disparity/binocular_energy.h"
+#include "vision/disparity/disparity_factory.h"
 #include "vision/disparity/v1_energy.h"
 
 namespace horopter::vision {
 namespace {
 
 TEST(V1Config, PresetsHold) {
-  EXPECT_TRUE(V1Config::Preset("checked").Validate().empty());
-  EXPECT_TRUE(V1Config::Preset("cautious").Validate().empty());
-  EXPECT_TRUE(V1Config::Preset("paper_2009").Validate().empty());
-  EXPECT_TRUE(V1Config::Preset("paper_2018").Validate().empty());
+  for (const char* name : {"accurate", "dense", "fast", "realtime"}) {
+    const V1Config config = V1Config::Preset(name);
+    EXPECT_EQ(config.form, V1Form::kClosedForm) << name;
+    EXPECT_TRUE(config.Validate().empty()) << name;
+  }
+  for (const char* name : {"checked", "cautious", "paper_2009", "paper_2018"}) {
+    const V1Config config = V1Config::Preset(name);
+    EXPECT_EQ(config.form, V1Form::kPopulation) << name;
+    EXPECT_TRUE(config.Validate().empty()) << name;
+  }
+  EXPECT_EQ(FindDisparityMethod("v1").presets.size(), 8U) << "one is not held here";
+}
+
+TEST(V1Config, ClosedPresetsAreWhatTheirNamesSay) {
+  const ClosedFormConfig accurate = V1Config::Preset("accurate").closed_form;
+  const ClosedFormConfig dense = V1Config::Preset("dense").closed_form;
+  const ClosedFormConfig fast = V1Config::Preset("fast").closed_form;
+  const ClosedFormConfig realtime = V1Config::Preset("realtime").closed_form;
+  EXPECT_FALSE(accurate.fill_in || fast.fill_in || realtime.fill_in);
+  EXPECT_TRUE(dense.fill_in);
+  EXPECT_LE(fast.rounds, accurate.rounds);
+  EXPECT_LT(fast.iterations, accurate.iterations);
+  EXPECT_GT(fast.explore_from, accurate.explore_from);
+  EXPECT_EQ(fast.finest_octave, 0);
+  EXPECT_EQ(realtime.finest_octave, 1);
+  for (const ClosedFormConfig& checked : {accurate, dense, fast, realtime}) {
+    EXPECT_GT(checked.left_right_px, 0);
+    EXPECT_GT(checked.min_coherence, 0);
+  }
+}
+
+/// Whichever form is not chosen is not read, and so not checked.
+TEST(V1Config, OnlyTheFormThatIsChosenMustHold) {
+  V1Config config = V1Config::Preset("fast");
+  config.filter_px = 10;
+  EXPECT_TRUE(config.Validate().empty());
+  config.closed_form.filter_px = 10;
+  ASSERT_EQ(config.Validate().size(), 1U);
+  EXPECT_EQ(config.Validate()[0].field, "v1.closed_form.filter_px");
 }
 
 TEST(V1Config, PaperPresetIsThePublishedModelAlone) {
