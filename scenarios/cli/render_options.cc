@@ -167,7 +167,9 @@ std::string Footer() {
          "    - walk: {at_s: 5, forward_m_s: 0.05}               # NAO, until told otherwise\n"
          "    - drive: {forward_m_s: 0.2, turn_deg_s: 10}        # Koala, until told otherwise\n"
          "trajectory.csv has base and head at every physics step, capture.csv the times of every "
-         "image.\n"
+         "image and\nof its first and last row. Truth is a global shutter's view in the middle of "
+         "the exposure: with a rolling\nor interlaced shutter the rows of a moving image lie "
+         "beside it.\n"
          "\nExamples:\n"
          "  horopter render koala/room.xml --pan 10 --vergence 4 --truth --out pair\n"
          "  horopter render yorick/tabletop.xml --seed 3 --clutter 4 --random 20 --truth --out "
@@ -189,9 +191,10 @@ void AddRenderOptions(CLI::App& app, RenderArguments& a) {
       "--again", a.again, "Make the data set of this manifest.json once more, bit for bit");
   app.add_option("--robot", a.robot, "Whose head it is [the scene's folder]");
   app.add_option("--out", a.out, "Folder to make; must not hold anything")->required();
-  CLI::Option* truth =
-      app.add_flag("--truth", a.truth,
-                   "Also depth, ids, normals, disparity with occlusion, flow, poses, contacts");
+  CLI::Option* truth = app.add_flag(
+      "--truth", a.truth,
+      "Also depth, ids, normals, disparity with occlusion, flow, poses, contacts; of a "
+      "moving camera at the middle of the exposure, as by a global shutter");
   app.add_flag("--png16", a.png16, "Truth as 16-bit PNG besides .flo and .pfm")->needs(truth);
   app.add_option("--truth-between", a.between,
                  "CAMERA:CAMERA, by their images' names, as peripheral_left:foveal_left: disparity "

@@ -65,6 +65,11 @@ Json Conventions() {
       {"flow",
        "flow_previous_to_this lies on the pixels of the previous frame: what that showed at (x, y) "
        "this frame shows at (x + dx, y + dy)"},
+      {"truth_instant",
+       "the middle of the whole image's exposure, seen as by a global shutter: rows of a rolling "
+       "shutter, and fields of an interlaced one, are exposed up to half a readout before or "
+       "after it (capture.csv says when), and a moving image lies beside its truth by that much "
+       "motion"},
       {"visibility",
        {{"of", "the pixel that the file lies on, in the image that it leads to"},
         {"seen", 255},

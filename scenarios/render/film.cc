@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scenarios/render/request_checks.h"
+#include "sim/camera/row_exposure.h"
 #include "sim/render/renderer.h"
 
 namespace horopter::scenarios {
@@ -18,6 +19,12 @@ hardware::StereoFrame GrabFrom(hardware::CameraPair& cameras) {
   auto frame = cameras.Grab();
   if (!frame.ok()) throw sim::RenderError(frame.error().message);
   return std::move(frame).value();
+}
+
+/// From the first row's exposure to the middle of the image's.
+hardware::Duration HalfReadout(const sim::CameraProfile& profile) {
+  const sim::RowExposure rows(profile.shutter, profile.exposure, 2);
+  return hardware::FromSeconds((rows.Middle(1) - rows.Middle(0)) / 2);
 }
 
 std::vector<MotionCommand> InOrder(std::vector<MotionCommand> commands) {
@@ -111,6 +118,7 @@ Film::Frame Film::Develop() {
     frame.captures.push_back({pairs_[i].name,
                               seen.sequence,
                               {seen.left.t_capture, seen.right.t_capture},
+                              HalfReadout(request_.camera.profile),
                               seen.t_delivered});
     frame.content.pairs.push_back({pairs_[i].shown_as, DevelopEye(i, Eye::kLeft, scenes[i].left),
                                    DevelopEye(i, Eye::kRight, scenes[i].right)});

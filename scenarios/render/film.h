@@ -26,7 +26,8 @@ class Film {
   struct Capture {
     std::string pair;
     std::uint64_t sequence = 0;
-    hardware::PerEye<hardware::Time> t_capture;
+    hardware::PerEye<hardware::Time> t_capture;  ///< middle of the exposure
+    hardware::Duration half_readout{};           ///< first row before, last row after that
     hardware::Time t_delivered{};
   };
   struct Frame {

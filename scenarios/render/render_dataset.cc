@@ -111,10 +111,14 @@ bool WriteStills(const RenderRequest& request, const RobotDescription& robot,
 /// Rows of capture.csv.
 void Append(const std::vector<Film::Capture>& captures, int frame, AppendFile& file) {
   for (const Film::Capture& c : captures) {
-    file.Append(fmt::format("{},{},{},{:.9f},{:.9f},{:.9f}", frame, c.pair, c.sequence,
-                            hardware::ToSeconds(c.t_capture.left),
-                            hardware::ToSeconds(c.t_capture.right),
-                            hardware::ToSeconds(c.t_delivered)));
+    std::string row = fmt::format("{},{},{}", frame, c.pair, c.sequence);
+    for (const hardware::Eye eye : hardware::kBothEyes) {
+      const hardware::Time t = c.t_capture[eye];
+      for (const hardware::Time at : {t, t - c.half_readout, t + c.half_readout}) {
+        row += fmt::format(",{:.9f}", hardware::ToSeconds(at));
+      }
+    }
+    file.Append(row + fmt::format(",{:.9f}", hardware::ToSeconds(c.t_delivered)));
   }
 }
 
@@ -134,7 +138,8 @@ bool WriteFilm(const RenderRequest& request, const RobotDescription& robot,
                        LegendOf(request, film.model()), {.png16 = request.png16});
   Write(extras, request, output.folder);
   AppendFile captures(output.folder / "capture.csv",
-                      "frame,pair,sequence,left_t_s,right_t_s,t_delivered_s");
+                      "frame,pair,sequence,left_t_s,left_first_row_t_s,left_last_row_t_s,right_t_s,"
+                      "right_first_row_t_s,right_last_row_t_s,t_delivered_s");
   AppendFile trajectory(output.folder / "trajectory.csv", StateLog::Header());
   const int all = film.ExpectedFrames();
   for (int i = 0;; ++i) {

@@ -29,10 +29,13 @@ struct RenderHooks {
 
 /// Renders and writes the frames. Still views: both eyes, and all pairs, show one instant, and time
 /// stands still. A motion: a frame for each that the cameras deliver (Film), truth of the instant
-/// each image was taken at, state tables with or without truth, and two tables for the whole set:
+/// each image was taken at, which is the middle of its exposure for all rows, whatever the shutter;
+/// state tables with or without truth, and two tables for the whole set:
 ///
-///   capture.csv      a row per frame and pair: the cameras' own number, when either eye's image
-///                    was taken (the middle of its exposure) and when the pair came
+///   capture.csv      a row per frame and pair: the cameras' own number; of either eye's image when
+///                    it was taken (the middle of its exposure) and when its first and last row
+///                    were (the middles of theirs; of an interlaced image its first and last
+///                    field); when the pair came
 ///   trajectory.csv   a row per physics step: StateLog
 ///
 /// Besides what DatasetWriter writes there is a PNG for each of the request's views, at the start,

@@ -49,9 +49,10 @@ TEST_F(RenderCommand, HelpListsWhatThereIs) {
   for (const std::string& profile : sim::CameraProfile::Names()) {
     EXPECT_THAT(help, HasSubstr(profile));
   }
-  for (const char* text : {"yorick/tabletop.xml: closeup, lateral, overview, portrait; before bookshelf, brick",
-                           "koala/room.xml: lateral, overview, plan", "osmesa", "left_tilt",
-                           "pixels of the frame before", "--walk 0.3,0,20", "walk_to: {at_s: 1"}) {
+  for (const char* text :
+       {"yorick/tabletop.xml: closeup, lateral, overview, portrait; before bookshelf, brick",
+        "koala/room.xml: lateral, overview, plan", "osmesa", "left_tilt",
+        "pixels of the frame before", "global shutter", "--walk 0.3,0,20", "walk_to: {at_s: 1"}) {
     EXPECT_THAT(help, HasSubstr(text));
   }
   EXPECT_THAT(help, testing::Not(HasSubstr("room_shell"))) << "that is no scene";

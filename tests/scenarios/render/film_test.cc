@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -192,6 +193,40 @@ TEST_F(FilmTest, TruthLeadsToTheSameSurfaceThoughTheEyesLookAtDifferentTimes) {
   }
   EXPECT_GT(all, left.rows * left.cols / 2);
   EXPECT_GT(same, all * 95 / 100);
+}
+
+// Truth is of one instant, though rows are not; the tables say which, and when the rows are.
+TEST_F(FilmTest, TheInstantOfTruthAndTheTimesOfRowsAreSaid) {
+  RenderRequest request = Request("koala", "room.xml", "webcam_vga", 30);
+  request.camera.profile.timing.skew_s = 0.01;
+  request.motion->duration_s = 0.1;
+  const fs::path set = Make(request);
+  EXPECT_THAT(nlohmann::json::parse(Slurp(set / "manifest.json"))
+                  .at("conventions")
+                  .at("truth_instant")
+                  .get<std::string>(),
+              testing::HasSubstr("middle of the whole image's exposure"));
+  const double readout_s = request.camera.profile.shutter.readout_s;
+  ASSERT_GT(readout_s, 0.02);
+  const Table capture(set / "capture.csv");
+  for (std::size_t i = 0; i < capture.rows(); ++i) {
+    for (const std::string eye : {"left", "right"}) {
+      const double first = capture(i, eye + "_first_row_t_s");
+      const double last = capture(i, eye + "_last_row_t_s");
+      EXPECT_NEAR(last - first, readout_s, 2e-9);
+      EXPECT_NEAR((first + last) / 2, capture(i, eye + "_t_s"), 2e-9);
+      EXPECT_LE(last, capture(i, "t_delivered_s"));
+    }
+    EXPECT_NEAR(capture(i, "right_t_s") - capture(i, "left_t_s"), 0.01, 1e-9);
+  }
+}
+
+TEST_F(FilmTest, AGlobalShutterTakesAllRowsAtOnce) {
+  RenderRequest request = Request("koala", "room.xml", "ideal", 30);
+  request.camera.profile.shutter.readout_s = 0.03;  // without a meaning for this shutter
+  request.motion->duration_s = 0.05;
+  const Table capture(Make(request) / "capture.csv");
+  EXPECT_EQ(capture(0, "left_first_row_t_s"), capture(0, "left_last_row_t_s"));
 }
 
 TEST_F(FilmTest, WalkingCarriesTheTorsoThereAndSwaysIt) {
