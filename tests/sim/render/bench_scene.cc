@@ -3,16 +3,14 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <filesystem>
 
 #include "sim/textures/paint_textures.h"
 
 namespace horopter::sim::testing {
-namespace {
 
-std::filesystem::path ScenesDir() { return std::filesystem::path(HOROPTER_SOURCE_DIR) / "scenes"; }
-
-}  // namespace
+std::filesystem::path PathOf(const BenchSceneName& scene) {
+  return std::filesystem::path(HOROPTER_SOURCE_DIR) / "scenes" / scene.file;
+}
 
 std::vector<BenchSceneName> BenchScenes() {
   std::vector<BenchSceneName> existing;
@@ -20,13 +18,13 @@ std::vector<BenchSceneName> BenchScenes() {
        {BenchSceneName{"koala", "koala/room.xml", "left", "right"},
         BenchSceneName{"nao", "nao/workspace.xml", "left_eye", "right_eye"},
         BenchSceneName{"yorick", "yorick/tabletop.xml", "left_peripheral", "right_peripheral"}}) {
-    if (std::filesystem::exists(ScenesDir() / scene.file)) existing.push_back(scene);
+    if (std::filesystem::exists(PathOf(scene))) existing.push_back(scene);
   }
   return existing;
 }
 
 BenchScene::BenchScene(const BenchSceneName& scene)
-    : name_(scene), world_(std::make_unique<World>(ScenesDir() / scene.file)) {
+    : name_(scene), world_(std::make_unique<World>(PathOf(scene))) {
   PaintTextures(world_->mutable_model(), 1);
   world_->Forward();
   start_ = world_->data().qpos[0];
@@ -39,9 +37,9 @@ void BenchScene::Next() {
   world_->Forward();
 }
 
-std::array<PosedCamera, 2> BenchScene::Pair() const {
+std::array<PosedCamera, 2> BenchScene::Pair(int width, int height) const {
   const double turned = 0.1 * M_PI / 180 * (frame_ % 10);
-  const auto camera = hardware::CameraModel::FromHorizontalFov(640, 480, 60 * M_PI / 180);
+  const auto camera = hardware::CameraModel::FromHorizontalFov(width, height, 60 * M_PI / 180);
   const auto at = [&](const std::string& name) {
     hardware::Pose X_WC = world_->X_WCamera(name);
     X_WC.rotate(Eigen::AngleAxisd(turned, Eigen::Vector3d::UnitY()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct BenchSceneName {
 
 /// Those whose files exist.
 std::vector<BenchSceneName> BenchScenes();
+std::filesystem::path PathOf(const BenchSceneName& scene);
 
 /// A scene with painted textures whose robot moves a little from frame to frame.
 class BenchScene {
@@ -29,8 +31,8 @@ class BenchScene {
   /// Takes the first joint 1 mm (or mrad) on and back, and turns both eyes by 0.1 deg: what a frame
   /// of a driving robot changes.
   void Next();
-  /// The stereo pair as it is now, VGA, 60 deg wide.
-  std::array<PosedCamera, 2> Pair() const;
+  /// The stereo pair as it is now, 60 deg wide.
+  std::array<PosedCamera, 2> Pair(int width = 640, int height = 480) const;
 
  private:
   BenchSceneName name_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints the driver's name and the hash of each fixed view, one a line, for tests that compare
 // processes:
-//   print_hashes BACKEND [reverse] [busy] [dump=FILE]
-// dump= writes the pictures too: for each view width and height, colours, depths and ids, raw.
-// Exits 3 when this machine lacks the backend, with the reason on stderr.
+//   print_hashes BACKEND [reverse] [busy] [scene=NAME] [dump=FILE]
+// scene= takes a pair of 320 x 240 of a shipped scene (koala, nao, yorick) in place of the fixed
+// views. dump= writes the pictures too: for each view width and height, colours, depths and ids,
+// raw. Exits 3 when this machine lacks the backend, with the reason on stderr.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include <thread>
 #include <vector>
 
+#include "bench_scene.h"
 #include "fixed_views.h"
 
 namespace horopter::sim {
@@ -35,10 +37,9 @@ void Dump(const RenderedView& view, std::ofstream& file) {
   Write(view.ids, file);
 }
 
-void Print(const std::string& backend, bool reversed, const std::string& dump) {
-  const auto world = World::FromXml(testing::kShowroomXml);
-  const std::vector<PosedCamera> views = testing::FixedViews();
-  Renderer renderer(*world, {.gl_backend = backend, .width = 320, .height = 240});
+void Print(World& world, const std::vector<PosedCamera>& views, const std::string& backend,
+           bool reversed, const std::string& dump) {
+  Renderer renderer(world, {.gl_backend = backend, .width = 320, .height = 240});
   std::vector<std::uint64_t> hashes(views.size());
   std::ofstream file;
   if (!dump.empty()) file.open(dump, std::ios::binary);
@@ -51,6 +52,30 @@ void Print(const std::string& backend, bool reversed, const std::string& dump) {
   if (!dump.empty() && !file.flush()) throw std::runtime_error("cannot write " + dump);
   std::printf("%s\n", renderer.gl_renderer().c_str());
   for (const std::uint64_t hash : hashes) std::printf("%016lx\n", hash);
+}
+
+void PrintShowroom(const std::string& backend, bool reversed, const std::string& dump) {
+  const auto world = World::FromXml(testing::kShowroomXml);
+  Print(*world, testing::FixedViews(), backend, reversed, dump);
+}
+
+void PrintScene(const std::string& name, const std::string& backend, bool reversed,
+                const std::string& dump) {
+  for (const testing::BenchSceneName& scene : testing::BenchScenes()) {
+    if (scene.name != name) continue;
+    testing::BenchScene shipped(scene);
+    const auto pair = shipped.Pair(320, 240);
+    return Print(shipped.world(), {pair.begin(), pair.end()}, backend, reversed, dump);
+  }
+  throw std::runtime_error("no scene " + name);
+}
+
+/// What follows `key` in the argument that begins with it; empty when there is none.
+std::string Value(const std::vector<std::string>& args, const std::string& key) {
+  for (const std::string& arg : args) {
+    if (arg.rfind(key, 0) == 0) return arg.substr(key.size());
+  }
+  return "";
 }
 
 }  // namespace
@@ -74,14 +99,15 @@ int main(int argc, char** argv) {
       }
     });
   }
-  const std::string dump_to = "dump=";
-  std::string dump;
-  for (const std::string& arg : args) {
-    if (arg.rfind(dump_to, 0) == 0) dump = arg.substr(dump_to.size());
-  }
+  const std::string dump = horopter::sim::Value(args, "dump=");
+  const std::string scene = horopter::sim::Value(args, "scene=");
   int status = 0;
   try {
-    horopter::sim::Print(backend, asked("reverse"), dump);
+    if (scene.empty()) {
+      horopter::sim::PrintShowroom(backend, asked("reverse"), dump);
+    } else {
+      horopter::sim::PrintScene(scene, backend, asked("reverse"), dump);
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     status = 1;
