@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -26,6 +28,14 @@ std::string Sha256(std::string_view bytes) {
   Hasher hasher;
   hasher.Update(std::as_bytes(std::span(bytes)));
   return hasher.Hex();
+}
+
+std::string Sha256OfFile(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  if (!stream) throw ResultsError("cannot read " + file.string());
+  return Sha256(bytes.str());
 }
 
 void RequireFresh(const fs::path& folder) {
@@ -153,6 +163,7 @@ fs::path DatasetWriter::AddFrame(const DatasetFrame& frame) {
     sums += fmt::format("{}  {}\n", hashes[file], file);
   }
   WriteFileAtomically(temporary.path() / "SHA256SUMS", sums, Durability::kProcess);
+  file_hashes_[name + "/SHA256SUMS"] = Sha256(sums);
   temporary.RenameTo(folder_ / name);
   index_->Append(IndexRow(frame_count_, name, frame));
   for (const std::string& image : files.images) image_hashes_[name + "/" + image] = hashes[image];
@@ -161,7 +172,13 @@ fs::path DatasetWriter::AddFrame(const DatasetFrame& frame) {
   return folder_ / name;
 }
 
-void DatasetWriter::Finish() { WriteManifest(true); }
+void DatasetWriter::Finish(const std::vector<std::string>& others) {
+  std::vector<std::string> files = {"index.csv"};
+  if (legend_) files.push_back("legend.csv");
+  files.insert(files.end(), others.begin(), others.end());
+  for (const std::string& file : files) file_hashes_[file] = Sha256OfFile(folder_ / file);
+  WriteManifest(true);
+}
 
 void DatasetWriter::WriteManifest(bool complete) const {
   std::string all;
@@ -182,7 +199,8 @@ void DatasetWriter::WriteManifest(bool complete) const {
                    {"frames", frame_count_},
                    {"conventions", Conventions()},
                    {"images_sha256", Sha256(all)},
-                   {"images", image_hashes_}};
+                   {"images", image_hashes_},
+                   {"files", file_hashes_}};
   if (options_.png16) {
     manifest["png16"] = {{"depth_units_per_m", options_.depth_units_per_m},
                          {"left_out", left_out_}};

@@ -84,8 +84,10 @@ struct DatasetOptions {
 
 /// Writes a folder of rendered views with their truth:
 ///
-///   manifest.json   scene, seed, request, versions, GL renderer, conventions, hashes; `complete`
-///                   is false until Finish() replaces it, which is the last thing it does
+///   manifest.json   scene, seed, request, versions, GL renderer, conventions, hashes of all images
+///                   and, when it is complete, of all else: `files` has tables, and every frame's
+///                   SHA256SUMS in place of the frame's files; `complete` is false until Finish()
+///                   replaces it, which is the last thing it does
 ///   index.csv       a row per frame: folder, time, head angles; appended when the frame is there
 ///   legend.csv      names of parts and objects by the values in the id pictures
 ///   000000/ ...     one folder per frame, which appears whole or not at all:
@@ -123,8 +125,11 @@ class DatasetWriter {
   ///         share a name; ResultsError. Of the frame then nothing is left.
   std::filesystem::path AddFrame(const DatasetFrame& frame);
 
-  /// Says that the data set is complete. To be called once, after the last frame.
-  void Finish();
+  /// Says that the data set is complete, and hashes what is in it. To be called once, after the
+  /// last frame.
+  /// @param others files beside the writer's own, by name in the folder
+  /// @throws ResultsError when one of them cannot be read
+  void Finish(const std::vector<std::string>& others = {});
 
   const std::filesystem::path& folder() const { return folder_; }
   int frame_count() const { return frame_count_; }
@@ -139,6 +144,7 @@ class DatasetWriter {
   std::optional<AppendFile> index_;
   int frame_count_ = 0;
   std::map<std::string, std::string> image_hashes_;  ///< SHA-256 of camera images, by relative path
+  std::map<std::string, std::string> file_hashes_;   ///< likewise of tables and lists of hashes
   std::map<std::string, int> left_out_;              ///< pixels per 16-bit picture, where any
 };
 

@@ -64,14 +64,20 @@ struct Extras {
   std::optional<sim::Room> room;
 };
 
-void Write(const Extras& extras, const RenderRequest& request,
-           const std::filesystem::path& folder) {
+/// @return the files' names
+std::vector<std::string> Write(const Extras& extras, const RenderRequest& request,
+                               const std::filesystem::path& folder) {
+  std::vector<std::string> files;
   for (std::size_t i = 0; i < extras.overviews.size(); ++i) {
-    WritePng(folder / (request.views[i] + ".png"), extras.overviews[i]);
+    files.push_back(request.views[i] + ".png");
+    WritePng(folder / files.back(), extras.overviews[i]);
   }
-  if (!extras.room) return;
-  WriteFileAtomically(folder / "room.json", RoomText(*extras.room));
-  WriteFileAtomically(folder / "room.xml", extras.room->mjcf);
+  if (extras.room) {
+    WriteFileAtomically(folder / "room.json", RoomText(*extras.room));
+    WriteFileAtomically(folder / "room.xml", extras.room->mjcf);
+    files.insert(files.end(), {"room.json", "room.xml"});
+  }
+  return files;
 }
 
 SceneHashes HashesOf(const RenderRequest& request, const Scenery& scenery) {
@@ -95,7 +101,7 @@ bool WriteStills(const RenderRequest& request, const RobotDescription& robot,
   DatasetWriter writer(output.folder,
                        InfoOf(request, output, extras.scene_sha256, stage.gl_renderer()),
                        LegendOf(request, scenery.world->model()), {.png16 = request.png16});
-  Write(extras, request, output.folder);
+  const std::vector<std::string> others = Write(extras, request, output.folder);
   const int all = static_cast<int>(views.size());
   for (int i = 0; i < all; ++i) {
     hooks.progress(i, all);
@@ -104,7 +110,7 @@ bool WriteStills(const RenderRequest& request, const RobotDescription& robot,
     writer.AddFrame(frame);
     hooks.frame(frame);
   }
-  writer.Finish();
+  writer.Finish(others);
   return true;
 }
 
@@ -136,7 +142,8 @@ bool WriteFilm(const RenderRequest& request, const RobotDescription& robot,
   DatasetWriter writer(output.folder,
                        InfoOf(request, output, extras.scene_sha256, film.gl_renderer()),
                        LegendOf(request, film.model()), {.png16 = request.png16});
-  Write(extras, request, output.folder);
+  std::vector<std::string> others = Write(extras, request, output.folder);
+  others.insert(others.end(), {"capture.csv", "trajectory.csv"});
   AppendFile captures(output.folder / "capture.csv",
                       "frame,pair,sequence,left_t_s,left_first_row_t_s,left_last_row_t_s,right_t_s,"
                       "right_first_row_t_s,right_last_row_t_s,t_delivered_s");
@@ -153,7 +160,7 @@ bool WriteFilm(const RenderRequest& request, const RobotDescription& robot,
     hooks.frame(frame->content);
   }
   if (const std::string rest = film.RestOfStates(); !rest.empty()) trajectory.Append(rest);
-  writer.Finish();
+  writer.Finish(others);
   return true;
 }
 

@@ -151,6 +151,56 @@ TEST_F(RenderCommand, SetsThatCannotBeMadeAgainAsTheyWereExitWithOne) {
   ExpectRefused("--again '" + none.string() + "'", "is no manifest of a data set");
 }
 
+// The images alone are not the set: truth and tables count as well.
+TEST_F(RenderCommand, AgainNamesTheFirstFileThatDiffers) {
+  const fs::path first =
+      Make("koala/room.xml --size 32x24 --truth --drive 0.2,0 --rate 20 --duration 0.1", "first");
+  int count = 0;
+  const auto again = [&](const fs::path& set) {
+    const Ran ran = Horopter("render --again '" + set.string() + "' --out '" +
+                             At(std::to_string(++count)) + "'");
+    EXPECT_EQ(ran.code, 1) << ran.output;
+    EXPECT_THAT(ran.output, testing::Not(HasSubstr("images are not those"))) << ran.output;
+    return ran.output;
+  };
+  const auto alter = [&](const std::string& name, const std::string& file, const std::string& from,
+                         const std::string& to) {
+    const fs::path set = folder_.path() / name;
+    fs::copy(first, set, fs::copy_options::recursive);
+    std::string text = Slurp(set / file);
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << file;
+    folder_.Write(name + "/" + file, text.replace(at, from.size(), to));
+    return set;
+  };
+  const std::string sums = Slurp(first / "000001" / "SHA256SUMS");
+  const std::string depth = sums.substr(sums.find("  left_depth.pfm") - 8, 24);
+  EXPECT_THAT(again(alter("truth", "000001/SHA256SUMS", depth, "00000000  left_depth.pfm")),
+              HasSubstr("000001/left_depth.pfm is not that of"));
+  for (const std::string table : {"trajectory.csv", "capture.csv", "index.csv"}) {
+    const fs::path set = alter("of_" + table, table, "\n0", "\n9");
+    EXPECT_THAT(again(set), HasSubstr(table + " is not that of")) << table;
+  }
+  const std::string mjcf = Manifest(first).at("scene_sha256").at("mjcf");
+  EXPECT_THAT(again(alter("scene", "manifest.json", mjcf, std::string(64, '0'))),
+              HasSubstr("the scene is another, though of the same files"));
+}
+
+TEST_F(RenderCommand, AgainComparesTruthByTheManifestAloneToo) {
+  const fs::path first = Make("koala/room.xml --size 32x24 --truth", "first");
+  nlohmann::json manifest = Manifest(first);
+  for (const char* file : {"000000/SHA256SUMS", "index.csv", "legend.csv"}) {
+    EXPECT_EQ(manifest.at("files").at(file).get<std::string>().size(), 64u) << file;
+  }
+  const auto whole = folder_.Write("whole.json", manifest.dump());
+  Make("--again '" + whole.string() + "'", "same");
+  manifest["files"]["000000/SHA256SUMS"] = std::string(64, '0');
+  const auto forged = folder_.Write("forged.json", manifest.dump());
+  const Ran ran = Horopter("render --again '" + forged.string() + "' --out '" + At("again") + "'");
+  EXPECT_EQ(ran.code, 1) << ran.output;
+  EXPECT_THAT(ran.output, HasSubstr("000000/SHA256SUMS is not that of"));
+}
+
 TEST_F(RenderCommand, AMotionIsFilmedAndFilmedAgain) {
   const fs::path first = Make(
       "koala/room.xml --size 32x24 --tilt 5 --saccade pan=8,tilt=5@0.1 --drive 0.2,0 --rate 20 "
