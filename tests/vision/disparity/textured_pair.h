@@ -18,14 +18,18 @@ struct SyntheticPair {
   cv::Mat1b right;
 };
 
+/// Texture with periods of 3 px looks like a poor camera's noise (NoiseLevel: 5 grey levels), one
+/// of 4 px much less so (2).
+inline constexpr double kNoisyTexturePx = 3, kCleanTexturePx = 4;
+
 /// Seeded noise as a function of the plane, exact at any position: sinusoids in random directions,
-/// equally many per octave from periods of 64 px to 3 px, grey 0 to 255.
+/// equally many per octave from periods of 64 px to the finest, grey 0 to 255.
 class NoiseTexture {
  public:
-  explicit NoiseTexture(std::uint64_t seed) {
+  explicit NoiseTexture(std::uint64_t seed, double finest_px) {
     cv::RNG rng(seed);
     for (int i = 0; i < kWaves; ++i) {
-      const double frequency = std::exp(rng.uniform(std::log(1 / 64.0), std::log(1 / 3.0)));
+      const double frequency = std::exp(rng.uniform(std::log(1 / 64.0), std::log(1 / finest_px)));
       const double direction = rng.uniform(0.0, CV_PI);
       waves_.push_back({static_cast<float>(2 * CV_PI * frequency * std::cos(direction)),
                         static_cast<float>(2 * CV_PI * frequency * std::sin(direction)),
@@ -51,8 +55,9 @@ class NoiseTexture {
 
 /// The texture seen by the left eye, and by a right eye such that left (x, y) matches right
 /// H (x, y, 1). The texture goes on beyond both images.
-inline SyntheticPair WarpedPair(cv::Size size, const cv::Matx33d& H, std::uint64_t seed = 1) {
-  const NoiseTexture texture(seed);
+inline SyntheticPair WarpedPair(cv::Size size, const cv::Matx33d& H, std::uint64_t seed = 1,
+                                double finest_px = kNoisyTexturePx) {
+  const NoiseTexture texture(seed, finest_px);
   const cv::Matx33d left_from_right = H.inv();
   SyntheticPair pair{cv::Mat1b(size), cv::Mat1b(size)};
   for (int y = 0; y < size.height; ++y) {
@@ -65,8 +70,9 @@ inline SyntheticPair WarpedPair(cv::Size size, const cv::Matx33d& H, std::uint64
   return pair;
 }
 
-inline SyntheticPair ShiftedPair(cv::Size size, double dx, double dy, std::uint64_t seed = 1) {
-  return WarpedPair(size, cv::Matx33d(1, 0, dx, 0, 1, dy, 0, 0, 1), seed);
+inline SyntheticPair ShiftedPair(cv::Size size, double dx, double dy, std::uint64_t seed = 1,
+                                 double finest_px = kNoisyTexturePx) {
+  return WarpedPair(size, cv::Matx33d(1, 0, dx, 0, 1, dy, 0, 0, 1), seed, finest_px);
 }
 
 /// Density and errors against left (x, y) matching right H (x, y, 1), over the pixels whose match
