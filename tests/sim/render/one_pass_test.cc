@@ -105,8 +105,9 @@ TEST(OnePass, DrawsWhatMujocoDrawsWithoutShadows) {
 
 class ShippedScene : public ::testing::TestWithParam<testing::BenchSceneName> {};
 
-// Of a view's 921600 channels 3 to 322 differ, 0 to 6 by more than two grey levels: a rounding falls
-// the other way, or the edge of a shadow takes the next pixel. The bounds are 1.4 and 3 times that.
+// Of a view's 921600 channels 3 to 322 differ, 0 to 6 by more than two grey levels: a rounding
+// falls the other way, or the edge of a shadow takes the next pixel. The bounds are 1.4 and 3 times
+// that.
 TEST_P(ShippedScene, IsDrawnAsMujocoDrawsIt) {
   constexpr double kAny = 5e-4, kOverTwo = 2e-5;
   testing::BenchScene scene(GetParam());
