@@ -131,6 +131,26 @@ void OurPairsOnTwoThreads(benchmark::State& state, const BenchSceneName& name) {
   }
 }
 
+/// The same by two peers.
+void PeerPairsOnTwoThreads(benchmark::State& state, const BenchSceneName& name) {
+  BenchScene &one = SceneOf(name), &two = SceneOf(name, 1);
+  Peer first(one.world(), {}), second(two.world(), {});
+  Stopwatch stopwatch(state);
+  for (auto _ : state) {
+    one.Next();
+    two.Next();
+    const auto pair = one.Pair();
+    const auto render = [&pair](Peer& peer) {
+      for (const PosedCamera& view : pair) benchmark::DoNotOptimize(peer.Render(view, kAll));
+    };
+    stopwatch.Time(2, [&] {
+      std::thread other([&] { render(second); });
+      render(first);
+      other.join();
+    });
+  }
+}
+
 /// A pair of 2 x 2 pixels: what a frame costs before any pixel.
 void OurEmptyPair(benchmark::State& state, const BenchSceneName& name) {
   BenchScene& scene = SceneOf(name);
@@ -209,6 +229,8 @@ void RegisterAll() {
              [=](benchmark::State& s) { OurPair(s, scene, kAll, {.supersample = true}); });
     Register(scene.name + "/in_motion", [=](benchmark::State& s) { OurPairInMotion(s, scene); });
     Register(scene.name + "/two", [=](benchmark::State& s) { OurPairsOnTwoThreads(s, scene); });
+    Register(scene.name + "/two_peers",
+             [=](benchmark::State& s) { PeerPairsOnTwoThreads(s, scene); });
     Register(scene.name + "/empty", [=](benchmark::State& s) { OurEmptyPair(s, scene); });
     Register(scene.name + "/first_shadows",
              [=](benchmark::State& s) { OurFirstShadows(s, scene); });
@@ -237,8 +259,10 @@ void PrintRatios(const Medians& medians) {
       }
     }
     const std::string peer = scene.name + "/shadows/rgb+depth+ids/peer";
-    PrintRatio(medians, scene.name, "rgb+depth+ids, two renderers on two threads, per pair", "on",
-               peer, scene.name + "/two");
+    PrintRatio(medians, scene.name, "rgb+depth+ids, two of ours and two peers, per pair", "on",
+               scene.name + "/two_peers", scene.name + "/two");
+    PrintRatio(medians, scene.name, "rgb+depth+ids, two of ours and one peer, per pair", "on", peer,
+               scene.name + "/two");
     PrintRatio(medians, scene.name, "rgb+depth+ids, everything moves: no shadow map is kept", "on",
                peer, scene.name + "/in_motion");
     PrintRatio(medians, scene.name, "rgb+depth+ids, colour from 2 x 2 samples", "on", peer,
