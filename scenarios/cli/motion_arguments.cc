@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,7 +29,7 @@ std::pair<std::string, double> Timed(const std::string& option, const std::strin
 }
 
 /// Where a saccade keeps an angle of this name; null when it is none.
-double* AngleNamed(const std::string& name, SaccadeCommand& saccade) {
+std::optional<double>* AngleNamed(const std::string& name, SaccadeCommand& saccade) {
   for (std::size_t i = 0; i < saccade.gaze_deg.size(); ++i) {
     if (name + "_deg" == SaccadeCommand::kGazeKeys[i]) return &saccade.gaze_deg[i];
   }
@@ -45,14 +46,13 @@ MotionCommand SaccadeOf(const std::string& text) {
   for (std::size_t begin = 0; begin <= angles.size();) {
     const std::size_t end = std::min(angles.find(',', begin), angles.size());
     const auto [name, values] = NamedNumbers("--saccade", angles.substr(begin, end - begin), form);
-    double* angle = AngleNamed(name, saccade);
+    std::optional<double>* angle = AngleNamed(name, saccade);
     if (angle == nullptr) {
       std::vector<std::string> known = {"pan", "tilt", "vergence"};
       known.insert(known.end(), hardware::kHeadAxisNames.begin(), hardware::kHeadAxisNames.end());
       RefuseOption("--saccade", name, "is no axis of a head" + DidYouMean(name, known));
     }
-    if (*angle != SaccadeCommand::kLeftOut)
-      RefuseOption("--saccade", name, "stands twice: keep one");
+    if (angle->has_value()) RefuseOption("--saccade", name, "stands twice: keep one");
     *angle = values[0];
     begin = end + 1;
   }

@@ -11,6 +11,7 @@
 #include "scenarios/cli/option_text.h"
 #include "scenarios/cli/render_options.h"
 #include "scenarios/format/camera_fields.h"
+#include "scenarios/format/fault_fields.h"
 #include "scenarios/format/read_text.h"
 #include "scenarios/format/suggest.h"
 #include "scenarios/render/gaze_list.h"
@@ -150,6 +151,7 @@ RenderRequest RequestOf(const RenderArguments& a) {
   if (!a.size.empty()) SetSize(a.size, request.camera);
   request.motion = MotionOf(a);
   if (request.motion) SetRate(a, request.camera.profile);
+  if (!a.faults.empty()) request.faults = ReadFaultsFile(a.faults);
   request.supersample = a.supersample;
   request.gl = a.gl;
   request.truth = a.truth;

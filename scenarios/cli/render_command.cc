@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 
 #include <iostream>
@@ -27,17 +29,24 @@ bool Make(const RenderRequest& request, const std::string& command, const Render
   ContactSheet sheet;
   RenderHooks hooks;
   hooks.interrupted = StopRequested;
-  hooks.progress = [](int done, int all) {
-    if (all > 1) std::cerr << fmt::format("\rframe {} of {}", done + 1, all) << std::flush;
+  const bool shows_progress = isatty(STDERR_FILENO) != 0;
+  int expected = 1;
+  hooks.progress = [&](int done, int all) {
+    expected = all;
+    if (!shows_progress || all < 2) return;
+    std::cerr << fmt::format("\rframe {} of {}", done + 1, all) << std::flush;
   };
+  std::string note;
+  hooks.note = [&note](const std::string& line) { note = line; };
   int frames = 0;
   hooks.frame = [&](const DatasetFrame& f) {
+    if (!a.sheet.empty()) sheet.AddSpread(f, frames, expected);
     ++frames;
-    if (!a.sheet.empty()) sheet.Add(f);
   };
   const RenderOutput output{a.out, command, LibraryVersions()};
   const bool whole = RenderDataset(request, output, hooks);
-  if (frames > 1) std::cerr << "\n";
+  if (shows_progress && frames > 1) std::cerr << "\n";
+  if (!note.empty()) std::cerr << "horopter render: " << note << "\n";
   if (!sheet.picture().empty()) WritePng(a.sheet, sheet.picture());
   if (whole) {
     fmt::print("{} frames: {}\n", frames, (output.folder / "manifest.json").string());

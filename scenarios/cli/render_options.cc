@@ -57,7 +57,7 @@ void AddMotionOptions(CLI::App& app, RenderArguments& a) {
   };
   command("--saccade", a.saccades,
           "NAME=DEG,...[@SECONDS]: pan, tilt and vergence, or axes as left_pan, as fast as the "
-          "head can; again for more");
+          "head can; what is not named stays; again for more");
   command("--walk", a.walks, "X,Y,TURN[@SECONDS]: the NAO walks to there [m, deg]");
   command("--drive", a.drives, "SPEED,TURN[@SECONDS]: the Koala drives [m/s, deg/s]");
   app.add_option("--duration", a.duration_s, "How long the cameras run [s] [1]")
@@ -65,6 +65,9 @@ void AddMotionOptions(CLI::App& app, RenderArguments& a) {
       ->group(group);
   app.add_option("--rate", a.rate_hz, "Frames a second [the profile's, or 25 where it has none]")
       ->check(CLI::Range(0.1, 1000.0))
+      ->group(group);
+  app.add_option("--faults", a.faults,
+                 "YAML file of a scenario's faults: what is wrong with head and cameras; see below")
       ->group(group);
   for (const char* name : {"--motion", "--saccade", "--walk", "--drive", "--duration", "--rate"}) {
     app.get_option(name)->excludes(app.get_option("--poses"))->excludes(app.get_option("--random"));
@@ -170,6 +173,12 @@ std::string Footer() {
          "image and\nof its first and last row. Truth is a global shutter's view in the middle of "
          "the exposure: with a rolling\nor interlaced shutter the rows of a moving image lie "
          "beside it.\n"
+         "\nFaults, as a scenario has them: backlash, encoder_bias, encoder_noise, stuck_axis, "
+         "zero_off, wrong_baseline,\nmisaligned_eye, swapped_pair, dark_eye, frozen_frames, "
+         "lost_frames. Their file:\n"
+         "  faults:\n"
+         "    - zero_off: {eye: left, pan_deg: 2}\n"
+         "    - dark_eye: {eye: right, light: 0.1, from_s: 0.5}\n"
          "\nExamples:\n"
          "  horopter render koala/room.xml --pan 10 --vergence 4 --truth --out pair\n"
          "  horopter render yorick/tabletop.xml --seed 3 --clutter 4 --random 20 --truth --out "
@@ -201,7 +210,7 @@ void AddRenderOptions(CLI::App& app, RenderArguments& a) {
                  "and occlusion between them, both ways; again for more")
       ->allow_extra_args(false)
       ->needs(truth);
-  app.add_option("--sheet", a.sheet, "Also one PNG of the first frames, for people");
+  app.add_option("--sheet", a.sheet, "Also one PNG of frames spread over the set, for people");
   AddGazeOptions(app, a);
   AddMotionOptions(app, a);
   app.add_option("--seed", a.seed, "Vary the scene, and draw gazes and noise, by this number")

@@ -37,6 +37,7 @@ struct RenderArguments {
   std::vector<std::string> drives;    ///< "SPEED,TURN[@SECONDS]"
   std::optional<double> duration_s;
   std::optional<double> rate_hz;
+  std::string faults;  ///< YAML file
 
   std::optional<std::uint64_t> seed;
   std::string obstacles;  ///< "N" or "MIN:MAX"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -80,6 +81,9 @@ Json Conventions() {
        "shutter, and fields of an interlaced one, are exposed up to half a readout before or "
        "after it (capture.csv says when), and a moving image lies beside its truth by that much "
        "motion"},
+      {"faults",
+       "truth shows eyes where faults have put them; of frozen frames and of a swapped pair it is "
+       "what the camera named in the file would have shown at its time of capture"},
       {"visibility",
        {{"of", "the pixel that the file lies on, in the image that it leads to"},
         {"seen", 255},
@@ -106,7 +110,8 @@ std::string IndexHeader() {
 std::string IndexRow(int frame, const std::string& folder, const DatasetFrame& content) {
   std::string row = fmt::format("{},{},{:.9f}", frame, folder, hardware::ToSeconds(content.t));
   for (const double angle : hardware::ToArray(content.head)) {
-    row += fmt::format(",{}", angle * kDegrees);
+    // Adding nothing makes -0 to 0.
+    row += fmt::format(",{}", std::round(angle * kDegrees * 1e6) / 1e6 + 0.0);
   }
   return row;
 }
@@ -172,7 +177,8 @@ fs::path DatasetWriter::AddFrame(const DatasetFrame& frame) {
   return folder_ / name;
 }
 
-void DatasetWriter::Finish(const std::vector<std::string>& others) {
+void DatasetWriter::Finish(const std::vector<std::string>& others, const std::string& outcome) {
+  outcome_ = outcome;
   std::vector<std::string> files = {"index.csv"};
   if (legend_) files.push_back("legend.csv");
   files.insert(files.end(), others.begin(), others.end());
@@ -201,6 +207,7 @@ void DatasetWriter::WriteManifest(bool complete) const {
                    {"images_sha256", Sha256(all)},
                    {"images", image_hashes_},
                    {"files", file_hashes_}};
+  if (!outcome_.empty()) manifest["motion_outcome"] = Json::parse(outcome_);
   if (options_.png16) {
     manifest["png16"] = {{"depth_units_per_m", options_.depth_units_per_m},
                          {"left_out", left_out_}};

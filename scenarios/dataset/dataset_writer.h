@@ -128,8 +128,9 @@ class DatasetWriter {
   /// Says that the data set is complete, and hashes what is in it. To be called once, after the
   /// last frame.
   /// @param others files beside the writer's own, by name in the folder
+  /// @param outcome JSON of what came of the robot's motion; empty: not said
   /// @throws ResultsError when one of them cannot be read
-  void Finish(const std::vector<std::string>& others = {});
+  void Finish(const std::vector<std::string>& others = {}, const std::string& outcome = "");
 
   const std::filesystem::path& folder() const { return folder_; }
   int frame_count() const { return frame_count_; }
@@ -145,7 +146,8 @@ class DatasetWriter {
   int frame_count_ = 0;
   std::map<std::string, std::string> image_hashes_;  ///< SHA-256 of camera images, by relative path
   std::map<std::string, std::string> file_hashes_;   ///< likewise of tables and lists of hashes
-  std::map<std::string, int> left_out_;              ///< pixels per 16-bit picture, where any
+  std::string outcome_;
+  std::map<std::string, int> left_out_;  ///< pixels per 16-bit picture, where any
 };
 
 }  // namespace horopter::scenarios

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scenarios/runner/fault_config.h"
+#include "scenarios/format/fault_config.h"
 
 #include <algorithm>
 #include <cmath>

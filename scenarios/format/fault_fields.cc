@@ -2,10 +2,13 @@
 #include "scenarios/format/fault_fields.h"
 
 #include <sstream>
+#include <utility>
 
 #include "hardware/types/eye.h"
 #include "hardware/types/head_angles.h"
+#include "scenarios/format/field_parser.h"
 #include "scenarios/format/field_writer.h"
+#include "scenarios/format/read_text.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -119,6 +122,16 @@ AlternativeList FaultList(std::vector<FaultSpec>& faults) {
             if (index == faults.size()) faults.push_back({mark, BacklashFault{}});
             return Kinds(faults[index]);
           }};
+}
+
+std::vector<FaultSpec> ReadFaultsFile(const std::filesystem::path& path) {
+  std::vector<FaultSpec> faults;
+  ParseReport report;
+  ParseFields(
+      ParseYaml(ReadText(path), path.string()),
+      [&faults](FieldVisitor& v) { v.Alternatives(FaultList(faults)); }, report);
+  ThrowIfAny(std::move(report.diagnostics));
+  return faults;
 }
 
 std::string DescribeFault(const FaultSpec& fault) {

@@ -85,6 +85,16 @@ std::string Caption(const DatasetFrame& frame, const DatasetPair& pair) {
 
 }  // namespace
 
+void ContactSheet::AddSpread(const DatasetFrame& frame, int index, int all) {
+  const int pairs = std::max(1, static_cast<int>(frame.pairs.size()));
+  const int shown = std::min(all, std::max(1, most_rows_ / pairs));
+  for (int k = 0; k < shown; ++k) {
+    if (index != (shown > 1 ? k * (all - 1) / (shown - 1) : 0)) continue;
+    Add(frame);
+    return;
+  }
+}
+
 void ContactSheet::Add(const DatasetFrame& frame) {
   for (const DatasetPair& pair : frame.pairs) {
     if (rows_ == most_rows_) return;

@@ -17,6 +17,10 @@ class ContactSheet {
 
   void Add(const DatasetFrame& frame);
 
+  /// Adds one of a set's frames when it is one of those that are spread over the whole set, first
+  /// and last among them, and that there are rows for.
+  void AddSpread(const DatasetFrame& frame, int index, int all);
+
   /// Empty when nothing was added.
   const cv::Mat3b& picture() const { return picture_; }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scenarios/render/film.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "scenarios/render/request_checks.h"
+#include "sim/camera/frame_timing.h"
 #include "sim/camera/row_exposure.h"
 #include "sim/render/renderer.h"
 
@@ -27,19 +28,15 @@ hardware::Duration HalfReadout(const sim::CameraProfile& profile) {
   return hardware::FromSeconds((rows.Middle(1) - rows.Middle(0)) / 2);
 }
 
-std::vector<MotionCommand> InOrder(std::vector<MotionCommand> commands) {
-  std::stable_sort(commands.begin(), commands.end(),
-                   [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
-  return commands;
-}
-
 }  // namespace
 
-Film::Film(const RenderRequest& request, const RobotDescription& robot, Scenery& scenery)
+Film::Film(const RenderRequest& request, const RobotDescription& robot,
+           const hardware::HeadAngles& start, Scenery& scenery)
     : request_(request),
       reach_(robot),
       pairs_(PairsOf(request, robot)),
-      commands_(InOrder(request.motion.value().commands)),
+      commands_(InOrder(request.motion.value())),
+      head_target_(start),
       robot_(MakeMovingRobot(request, robot, std::move(scenery.world), scenery.X_WO, times_)),
       log_(robot_->X_WO()),
       newest_(pairs_.size()) {
@@ -59,8 +56,17 @@ std::vector<Film::Pair> Film::PairsOf(const RenderRequest& request, const RobotD
 }
 
 int Film::ExpectedFrames() const {
-  const double periods = request_.motion->duration_s * request_.camera.profile.timing.rate_hz;
-  return static_cast<int>(periods) + 1;
+  const sim::CameraProfile& profile = request_.camera.profile;
+  sim::TimingProfile regular;
+  regular.rate_hz = profile.timing.rate_hz;
+  regular.latency_s = profile.timing.latency_s;
+  regular.skew_s = profile.timing.skew_s;
+  const hardware::Duration step = robot_->world().step();
+  const double window_s = sim::RowExposure(profile.shutter, profile.exposure, 2).window_s();
+  const sim::FrameTiming timing(regular, hardware::FromSeconds(window_s), step, 0, "");
+  const auto end = hardware::FromSeconds(request_.motion->duration_s);
+  const hardware::Time last_look{(end - hardware::Duration(1)) / step * step};
+  return static_cast<int>(timing.NewestDelivered(last_look)) + 1;
 }
 
 std::optional<Film::Frame> Film::Next() {
@@ -76,29 +82,35 @@ std::optional<Film::Frame> Film::Next() {
   return std::nullopt;
 }
 
+hardware::Pose2 Film::Base() const {
+  const hardware::Pose X_OB = robot_->X_WO().inverse() * robot_->world().X_WBody("base");
+  const auto& R = X_OB.linear();
+  return {X_OB.translation().x(), X_OB.translation().y(), std::atan2(R(1, 0), R(0, 0))};
+}
+
 void Film::GiveCommands() {
   const double now_s = hardware::ToSeconds(robot_->clock().Now());
   for (; next_command_ < commands_.size() && commands_[next_command_].at_s <= now_s;
        ++next_command_) {
-    const auto& what = commands_[next_command_].what;
-    if (const auto* saccade = std::get_if<SaccadeCommand>(&what)) {
-      const auto done = robot_->head().Command(AnglesOf(*saccade, reach_, ""));
+    const MotionCommand& command = commands_[next_command_];
+    watch_.Told(command, Base());
+    if (const auto* saccade = std::get_if<SaccadeCommand>(&command.what)) {
+      head_target_ = AnglesOf(*saccade, head_target_, reach_, "");
+      const auto done = robot_->head().Command(head_target_);
       if (!done.ok()) throw sim::PhysicsError(done.error().message);
-    } else if (const auto* target = std::get_if<WalkToCommand>(&what)) {
-      robot_->WalkTo(*target);
-    } else if (const auto* walk = std::get_if<WalkCommand>(&what)) {
-      robot_->Walk(*walk);
+    } else if (std::holds_alternative<DriveCommand>(command.what)) {
+      drive_ = command;
     } else {
-      drive_ = std::get<DriveCommand>(what);
-      drives_ = true;
+      robot_->Give(command);
     }
   }
-  if (drives_) robot_->Drive(drive_);
+  if (drive_) robot_->Give(*drive_);
 }
 
 void Film::Step() {
   hardware::Clock& clock = robot_->clock();
   clock.SleepUntil(clock.Now() + robot_->world().step());
+  watch_.Step(hardware::ToSeconds(clock.Now()), Base());
 }
 
 bool Film::Grab() {

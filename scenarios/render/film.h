@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hardware/types/eye.h"
+#include "hardware/types/head_angles.h"
 #include "hardware/types/stage_times.h"
+#include "hardware/types/stereo_frame.h"
+#include "hardware/types/time.h"
 #include "scenarios/dataset/dataset_writer.h"
 #include "scenarios/format/robot_description.h"
 #include "scenarios/render/frame_truth.h"
+#include "scenarios/render/head_reach.h"
+#include "scenarios/render/motion.h"
+#include "scenarios/render/motion_outcome.h"
 #include "scenarios/render/moving_robot.h"
 #include "scenarios/render/render_request.h"
 #include "scenarios/render/scene_setup.h"
@@ -39,8 +48,10 @@ class Film {
 
   /// Takes the scenery's world, with its head already where the motion starts.
   /// @param request outlives the film; its motion has passed CheckMotion()
+  /// @param start the head's angles
   /// @throws hardware::ConfigError, sim::SceneError, sim::RenderError
-  Film(const RenderRequest& request, const RobotDescription& robot, Scenery& scenery);
+  Film(const RenderRequest& request, const RobotDescription& robot,
+       const hardware::HeadAngles& start, Scenery& scenery);
 
   std::string gl_renderer() const { return robot_->gl_renderer(); }
   const mjModel& model() { return robot_->world().model(); }
@@ -50,6 +61,9 @@ class Film {
 
   /// Lets time pass until the next frame; nothing at the motion's end.
   std::optional<Frame> Next();
+
+  /// What has come of the commands to legs and wheels so far.
+  std::vector<CommandOutcome> Outcomes() const { return watch_.Outcomes(Base()); }
 
   /// Rows of StateLog that no frame has taken.
   std::string RestOfStates() { return log_.TakeRows(); }
@@ -62,6 +76,8 @@ class Film {
   };
 
   static std::vector<Pair> PairsOf(const RenderRequest& request, const RobotDescription& robot);
+  /// In the robot's starting frame.
+  hardware::Pose2 Base() const;
   void GiveCommands();
   void Step();
   /// Takes what the cameras have delivered. @return whether it is a new frame
@@ -76,9 +92,10 @@ class Film {
   std::vector<Pair> pairs_;
   std::vector<MotionCommand> commands_;  ///< by time
   std::size_t next_command_ = 0;
-  DriveCommand drive_;
-  bool drives_ = false;
+  std::optional<MotionCommand> drive_;  ///< the last DriveCommand, from when it is given on
+  hardware::HeadAngles head_target_;
   std::unique_ptr<MovingRobot> robot_;
+  MotionWatch watch_;
   StateLog log_;
   std::optional<FrameTruth> truth_;            ///< when it is asked for
   std::vector<hardware::StereoFrame> newest_;  ///< of each pair

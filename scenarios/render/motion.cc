@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "hardware/types/config_error.h"
@@ -22,15 +24,24 @@ constexpr Range kAngle{-180, 180};
 constexpr Range kSpeed{-5, 5};
 constexpr Range kTurnRate{-720, 720};
 
+/// A number that may be left out, and then stays so.
+void VisitOptional(FieldVisitor& v, const FieldSpec& spec, std::optional<double>& value) {
+  double number = value.value_or(std::numeric_limits<double>::quiet_NaN());
+  v.Number(spec, kAngle, number);
+  if (!std::isnan(number)) value = number;
+}
+
 void Visit(FieldVisitor& v, SaccadeCommand& c) {
-  v.Number({SaccadeCommand::kGazeKeys[0], "deg", "Pan, positive left."}, kAngle, c.gaze_deg[0]);
-  v.Number({SaccadeCommand::kGazeKeys[1], "deg", "Tilt, positive down."}, kAngle, c.gaze_deg[1]);
-  v.Number({SaccadeCommand::kGazeKeys[2], "deg", "Between the optical axes, positive converging."},
-           kAngle, c.gaze_deg[2]);
+  VisitOptional(v, {SaccadeCommand::kGazeKeys[0], "deg", "Pan, positive left."}, c.gaze_deg[0]);
+  VisitOptional(v, {SaccadeCommand::kGazeKeys[1], "deg", "Tilt, positive down."}, c.gaze_deg[1]);
+  VisitOptional(
+      v, {SaccadeCommand::kGazeKeys[2], "deg", "Between the optical axes, positive converging."},
+      c.gaze_deg[2]);
   for (std::size_t i = 0; i < c.axis_deg.size(); ++i) {
-    v.Number({std::string(hardware::kHeadAxisNames[i]) + "_deg", "deg",
-              "An axis, in place of a gaze; those left out go to 0."},
-             kAngle, c.axis_deg[i]);
+    VisitOptional(v,
+                  {std::string(hardware::kHeadAxisNames[i]) + "_deg", "deg",
+                   "An axis, in place of a gaze; those left out stay where they are told to be."},
+                  c.axis_deg[i]);
   }
 }
 
@@ -76,21 +87,31 @@ AlternativeList CommandList(std::vector<MotionCommand>& commands) {
           }};
 }
 
-bool Any(std::span<const double> angles) {
-  return std::any_of(angles.begin(), angles.end(),
-                     [](double a) { return a != SaccadeCommand::kLeftOut; });
+bool Any(std::span<const std::optional<double>> angles) {
+  return std::any_of(angles.begin(), angles.end(), [](const auto& a) { return a.has_value(); });
 }
 
-double OrZero(double angle) { return angle == SaccadeCommand::kLeftOut ? 0 : angle; }
+/// The gaze that axes stand for: of the neck where it pans, otherwise of both eyes' middle, as
+/// control::Turn() has it the other way round.
+Gaze GazeOf(const hardware::HeadAngles& head, const hardware::HeadLimits& limits) {
+  const bool by_neck = limits[static_cast<std::size_t>(hardware::HeadAxis::kNeckPan)].exists();
+  const double pan = by_neck ? head.neck.pan_rad : (head.left.pan_rad + head.right.pan_rad) / 2;
+  const double tilt = by_neck ? head.neck.tilt_rad : (head.left.tilt_rad + head.right.tilt_rad) / 2;
+  const double vergence = head.right.pan_rad - head.left.pan_rad;
+  // Rounded, so that an axis at its limit is not beyond it by its last bits.
+  const auto deg = [](double rad) { return std::round(rad / kRadians * 1e9) / 1e9; };
+  return {deg(pan), deg(tilt), deg(vergence)};
+}
 
 /// Holds one command against the robot.
 class Check {
  public:
-  Check(const RobotDescription& robot, std::string where)
-      : robot_(robot), where_(std::move(where)) {}
+  /// @param head where it is told to be before and, if it can be, after the command
+  Check(const RobotDescription& robot, hardware::HeadAngles& head, std::string where)
+      : robot_(robot), head_(head), where_(std::move(where)) {}
 
   void operator()(const SaccadeCommand& c) const {
-    AnglesOf(c, HeadReach(robot_), where_ + ": saccade: ");
+    head_ = AnglesOf(c, head_, HeadReach(robot_), where_ + ": saccade: ");
   }
 
   void operator()(const WalkToCommand& c) const {
@@ -134,6 +155,7 @@ class Check {
   }
 
   const RobotDescription& robot_;
+  hardware::HeadAngles& head_;
   std::string where_;
 };
 
@@ -155,39 +177,57 @@ Motion ReadMotionFile(const std::filesystem::path& path) {
   return motion;
 }
 
-hardware::HeadAngles AnglesOf(const SaccadeCommand& saccade, const HeadReach& reach,
-                              const std::string& where) {
-  if (!Any(saccade.axis_deg)) {
-    return reach.AnglesOf(
-        {OrZero(saccade.gaze_deg[0]), OrZero(saccade.gaze_deg[1]), OrZero(saccade.gaze_deg[2])},
-        where);
-  }
-  if (Any(saccade.gaze_deg)) {
+std::vector<MotionCommand> InOrder(const Motion& motion) {
+  std::vector<MotionCommand> commands = motion.commands;
+  std::stable_sort(commands.begin(), commands.end(),
+                   [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
+  return commands;
+}
+
+hardware::HeadAngles AnglesOf(const SaccadeCommand& saccade, const hardware::HeadAngles& present,
+                              const HeadReach& reach, const std::string& where) {
+  if (Any(saccade.axis_deg) && Any(saccade.gaze_deg)) {
     throw hardware::ConfigError({{where + "gaze", "beside axes",
                                   "would turn the axes that others name: give one or the other"}});
   }
-  hardware::HeadAxisArray angles{};
-  for (std::size_t i = 0; i < angles.size(); ++i)
-    angles[i] = OrZero(saccade.axis_deg[i]) * kRadians;
+  if (Any(saccade.gaze_deg)) {
+    const Gaze now = GazeOf(present, reach.limits());
+    return reach.AnglesOf(
+        {saccade.gaze_deg[0].value_or(now.pan_deg), saccade.gaze_deg[1].value_or(now.tilt_deg),
+         saccade.gaze_deg[2].value_or(now.vergence_deg)},
+        where);
+  }
+  hardware::HeadAxisArray angles = hardware::ToArray(present);
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (saccade.axis_deg[i]) angles[i] = *saccade.axis_deg[i] * kRadians;
+  }
   const hardware::HeadAngles head = hardware::FromArray(angles);
   reach.Require(head, where);
   return head;
 }
 
-void CheckMotion(const Motion& motion, const RobotDescription& robot) {
+void CheckMotion(const Motion& motion, const RobotDescription& robot,
+                 const hardware::HeadAngles& start) {
+  std::vector<hardware::FieldError> errors;
   if (!(motion.duration_s > 0 && motion.duration_s <= kLongest_s)) {
-    throw hardware::ConfigError({{"motion: duration", fmt::format("{:g} s", motion.duration_s),
-                                  fmt::format("must be above 0 and at most {:g} s", kLongest_s)}});
+    errors.push_back({"motion: duration", fmt::format("{:g} s", motion.duration_s),
+                      fmt::format("must be above 0 and at most {:g} s", kLongest_s)});
   }
-  for (const MotionCommand& command : motion.commands) {
-    std::visit(Check(robot, fmt::format("motion: at {:g} s", command.at_s)), command.what);
+  hardware::HeadAngles head = start;
+  for (const MotionCommand& command : InOrder(motion)) {
+    try {
+      std::visit(Check(robot, head, fmt::format("motion: at {:g} s", command.at_s)), command.what);
+    } catch (const hardware::ConfigError& error) {
+      errors.insert(errors.end(), error.errors().begin(), error.errors().end());
+    }
     if (command.at_s < motion.duration_s) continue;
-    throw hardware::ConfigError(
-        {{"motion: command at", fmt::format("{:g} s", command.at_s),
-          fmt::format("comes too late, the motion ends at {:g} s: make it longer with duration_s "
-                      "or --duration",
-                      motion.duration_s)}});
+    errors.push_back(
+        {"motion: command at", fmt::format("{:g} s", command.at_s),
+         fmt::format("comes too late, the motion ends at {:g} s: make it longer with duration_s "
+                     "or --duration",
+                     motion.duration_s)});
   }
+  hardware::ThrowIfAny(std::move(errors));
 }
 
 }  // namespace horopter::scenarios

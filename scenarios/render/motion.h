@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,14 +16,13 @@
 namespace horopter::scenarios {
 
 /// The head turns, as fast as its axes can: to a gaze, or to angles of axes. Signs as in Gaze and
-/// hardware::HeadAngles.
+/// hardware::HeadAngles; what is left out stays as it was told last, or as the motion began.
 struct SaccadeCommand {
-  static constexpr double kLeftOut = 1e9;  ///< counts as 0
   static constexpr std::array<const char*, 3> kGazeKeys = {"pan_deg", "tilt_deg", "vergence_deg"};
 
-  std::array<double, 3> gaze_deg{kLeftOut, kLeftOut, kLeftOut};  ///< in the order of kGazeKeys
+  std::array<std::optional<double>, 3> gaze_deg;  ///< in the order of kGazeKeys
   /// In the order of hardware::kHeadAxisNames.
-  hardware::HeadAxisArray axis_deg{kLeftOut, kLeftOut, kLeftOut, kLeftOut, kLeftOut, kLeftOut};
+  std::array<std::optional<double>, hardware::kHeadAxisCount> axis_deg;
 
   bool operator==(const SaccadeCommand&) const = default;
 };
@@ -78,15 +78,21 @@ void Visit(FieldVisitor& v, Motion& motion);
 /// @throws ScenarioError with everything that is wrong with it, or that it cannot be read
 Motion ReadMotionFile(const std::filesystem::path& path);
 
+/// The motion's commands by time; those of one instant as they stand.
+std::vector<MotionCommand> InOrder(const Motion& motion);
+
 /// The angles that a saccade leads to.
+/// @param present the angles that the head was told before
 /// @param where heads messages
 /// @throws hardware::ConfigError when it mixes gaze and axes, or the head does not turn so far
-hardware::HeadAngles AnglesOf(const SaccadeCommand& saccade, const HeadReach& reach,
-                              const std::string& where);
+hardware::HeadAngles AnglesOf(const SaccadeCommand& saccade, const hardware::HeadAngles& present,
+                              const HeadReach& reach, const std::string& where);
 
 /// Holds a motion against the robot, before anything is loaded.
-/// @throws hardware::ConfigError naming the first command that the robot cannot follow, or that
-///         comes after the end
-void CheckMotion(const Motion& motion, const RobotDescription& robot);
+/// @param start the head's angles at the beginning
+/// @throws hardware::ConfigError naming every command that the robot cannot follow, or that comes
+///         after the end
+void CheckMotion(const Motion& motion, const RobotDescription& robot,
+                 const hardware::HeadAngles& start = {});
 
 }  // namespace horopter::scenarios

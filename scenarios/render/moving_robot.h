@@ -18,7 +18,9 @@
 
 namespace horopter::scenarios {
 
-/// A simulated robot that a motion moves, whichever robot it is. All devices are active.
+/// A simulated robot that a motion moves, whichever robot it is. All devices are active. The
+/// request's faults are at work in it: its eyes stand where they put them, for truth too; frozen
+/// frames and a swapped pair change the images alone.
 class MovingRobot {
  public:
   virtual ~MovingRobot() = default;
@@ -26,6 +28,7 @@ class MovingRobot {
   virtual hardware::Clock& clock() = 0;
   virtual hardware::StereoHead& head() = 0;
   /// @param pair by its name in the robot's description
+  /// @throws std::invalid_argument when a robot of several pairs has none of that name
   virtual hardware::CameraPair& cameras(const std::string& pair) = 0;
   virtual std::string gl_renderer() const = 0;
 
@@ -38,12 +41,10 @@ class MovingRobot {
   /// Called after every physics step.
   virtual void OnStep(std::function<void(const sim::World&)> observer) = 0;
 
-  /// To be called once. @pre CheckMotion() has passed the command
+  /// Gives a command for legs or wheels; a DriveCommand again at every step, since a base whose
+  /// commands cease stops. @pre CheckMotion() has passed the command
   /// @throws sim::PhysicsError when the robot cannot: it has fallen
-  virtual void WalkTo(const WalkToCommand& command);
-  virtual void Walk(const WalkCommand& command);
-  /// To be called at every step: a base whose commands cease stops.
-  virtual void Drive(const DriveCommand& command);
+  virtual void Give(const MotionCommand& command) = 0;
 };
 
 /// The robot of the request in a furnished world, its head at rest where its joints are.

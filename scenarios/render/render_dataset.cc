@@ -138,7 +138,7 @@ bool WriteFilm(const RenderRequest& request, const RobotDescription& robot,
     Stage stage(request, robot, scenery);
     extras.overviews = OverviewsBy(stage, request);
   }
-  Film film(request, robot, scenery);
+  Film film(request, robot, start, scenery);
   DatasetWriter writer(output.folder,
                        InfoOf(request, output, extras.scene_sha256, film.gl_renderer()),
                        LegendOf(request, film.model()), {.png16 = request.png16});
@@ -160,7 +160,11 @@ bool WriteFilm(const RenderRequest& request, const RobotDescription& robot,
     hooks.frame(frame->content);
   }
   if (const std::string rest = film.RestOfStates(); !rest.empty()) trajectory.Append(rest);
-  writer.Finish(others);
+  const std::vector<CommandOutcome> outcomes = film.Outcomes();
+  writer.Finish(others, EncodeOutcomes(outcomes));
+  if (const std::string not_reached = WhatWasNotReached(outcomes); !not_reached.empty()) {
+    hooks.note(not_reached);
+  }
   return true;
 }
 

@@ -23,6 +23,8 @@ struct RenderHooks {
   std::function<void(int done, int all)> progress = [](int, int) {};
   /// Asked between frames; true ends the data set there, incomplete.
   std::function<bool()> interrupted = [] { return false; };
+  /// Called with a line about what did not come as it was asked for.
+  std::function<void(const std::string&)> note = [](const std::string&) {};
   /// Called with every frame that was written.
   std::function<void(const DatasetFrame&)> frame = [](const DatasetFrame&) {};
 };

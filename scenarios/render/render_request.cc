@@ -6,6 +6,7 @@
 
 #include "scenarios/dataset/format_error.h"
 #include "scenarios/format/camera_fields.h"
+#include "scenarios/format/fault_fields.h"
 #include "scenarios/format/field_parser.h"
 #include "scenarios/format/field_writer.h"
 #include "scenarios/format/scenario_fields.h"
@@ -59,6 +60,7 @@ void Visit(FieldVisitor& v, RenderRequest& r) {
              r.between);
   v.TextList({"views", "", "The scene by its own cameras."}, {}, r.views);
   v.Optional(SectionOf("motion", "What the robot does while its cameras run.", r.motion));
+  v.Alternatives(FaultList(r.faults));
 }
 
 FieldTable TableOf(RenderRequest& request) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scenarios/format/fault_spec.h"
 #include "scenarios/format/scenario.h"
 #include "scenarios/render/motion.h"
 #include "scenarios/render/pose_table.h"
@@ -61,6 +62,7 @@ struct RenderRequest {
   PoseTable poses;                 ///< a frame each; with a motion one row, where it starts
   /// The robot moves in time, and its cameras run at their profile's rate. None: still views.
   std::optional<Motion> motion;
+  std::vector<FaultSpec> faults;  ///< of head and cameras; a motion's only
 };
 
 /// The request as JSON; its camera has the keys of a scenario's `camera:`.

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "hardware/types/config_error.h"
+#include "scenarios/format/fault_fields.h"
 #include "scenarios/format/scene_names.h"
 #include "scenarios/format/scenes.h"
 #include "scenarios/format/suggest.h"
@@ -165,12 +168,52 @@ bool SharesCameras(const CameraPairDescription& a, const CameraPairDescription& 
   return a.left == b.left || a.right == b.right;
 }
 
+bool Turns(const RobotDescription& robot, const std::string& axis) {
+  const auto& names = hardware::kHeadAxisNames;
+  const auto found = std::find(names.begin(), names.end(), axis);
+  return found != names.end() &&
+         robot.head_limits[static_cast<std::size_t>(found - names.begin())].exists();
+}
+
+/// The axis of the head that a fault needs and the robot lacks, "" when there is none.
+std::string LackingAxis(const FaultSpec& fault, const RobotDescription& robot) {
+  return std::visit(
+      [&robot](const auto& kind) -> std::string {
+        if constexpr (requires { kind.axis; }) {
+          if (!Turns(robot, kind.axis)) return kind.axis;
+        } else if constexpr (std::is_same_v<std::decay_t<decltype(kind)>, ZeroOffFault>) {
+          if (kind.pan_deg != 0 && !Turns(robot, kind.eye + "_pan")) return kind.eye + "_pan";
+          if (kind.tilt_deg != 0 && !Turns(robot, kind.eye + "_tilt")) return kind.eye + "_tilt";
+        }
+        return "";
+      },
+      fault.kind);
+}
+
+void CheckFaults(const RenderRequest& request, const RobotDescription& robot) {
+  if (request.faults.empty()) return;
+  if (!request.motion) {
+    Refuse("--faults", fmt::format("{} faults", request.faults.size()),
+           "are a motion's: give --motion, --saccade, --walk, --drive or --duration as well");
+  }
+  std::vector<hardware::FieldError> errors;
+  for (const FaultSpec& fault : request.faults) {
+    const std::string axis = LackingAxis(fault, robot);
+    if (axis.empty()) continue;
+    errors.push_back({"--faults", DescribeFault(fault),
+                      fmt::format("robot {} has no axis {}; a camera that sits crooked is a "
+                                  "misaligned_eye",
+                                  robot.name, axis)});
+  }
+  hardware::ThrowIfAny(std::move(errors));
+}
+
 void CheckFilm(const RenderRequest& request, const RobotDescription& robot) {
-  CheckMotion(*request.motion, robot);
   if (request.poses.rows.size() != 1) {
     Refuse("motion", fmt::format("{} poses", request.poses.rows.size()),
            "begins at one pose: give one");
   }
+  CheckMotion(*request.motion, robot, ViewsOf(request.poses, HeadReach(robot)).front().head);
   if (request.camera.profile.timing.rate_hz <= 0) {
     Refuse("motion", "camera.timing.rate_hz = 0", "needs cameras with a rate: give one");
   }
@@ -228,6 +271,7 @@ void CheckRequest(const RenderRequest& request, const RobotDescription& robot) {
   }
   CheckBetween(request, robot);
   CheckBodies(request, contents);
+  CheckFaults(request, robot);
   if (request.motion) CheckFilm(request, robot);
 }
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kDegrees = 180 / M_PI;
 
+/// Without the sign of what rounds to nothing.
+double Rounded(double value, double steps) { return std::round(value * steps) / steps + 0.0; }
+
 hardware::Pose BaseOf(const sim::WorldState& state) {
   const auto base = std::find_if(state.bodies.begin(), state.bodies.end(),
                                  [](const sim::BodyPose& b) { return b.body == "base"; });
@@ -60,12 +63,13 @@ void StateLog::Record(hardware::Time t, const sim::World& world) {
   rows_ += fmt::format("{:.9f}", hardware::ToSeconds(t));
   for (const double value : {X_OB.translation().x(), X_OB.translation().y(), X_OB.translation().z(),
                              turn.x(), turn.y(), turn.z()}) {
-    rows_ += fmt::format(",{:.7f}", value);
+    rows_ += fmt::format(",{:.7f}", Rounded(value, 1e7));
   }
   const HeadMotion head = HeadIn(state);
   const hardware::HeadAxisArray angles = hardware::ToArray(head.angles);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    rows_ += fmt::format(",{:.6f},{:.4f}", angles[i] * kDegrees, head.speed_rad_s[i] * kDegrees);
+    rows_ += fmt::format(",{:.6f},{:.4f}", Rounded(angles[i] * kDegrees, 1e6),
+                         Rounded(head.speed_rad_s[i] * kDegrees, 1e4));
   }
 }
 

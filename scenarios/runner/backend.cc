@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "scenarios/format/fault_config.h"
 #include "scenarios/format/scenes.h"
-#include "scenarios/runner/fault_config.h"
 #include "scenarios/runner/koala_plant_config.h"
 #include "scenarios/runner/koala_truth.h"
 #include "scenarios/runner/room_setup.h"

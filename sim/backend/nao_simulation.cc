@@ -34,6 +34,7 @@ NaoSimulation::NaoSimulation(std::unique_ptr<World> world, const NaoSimulationCo
 NaoSimulation::~NaoSimulation() = default;
 
 void NaoSimulation::MakeRobot() {
+  config_.head.time_zero = kSettleTime;
   head_ = std::make_unique<VirtualHead>(*world_, config_.head);
   plant_ = std::make_unique<NaoPlant>(*world_, NaoPlantConfig{config_.gait, config_.seed});
   while (world_->now().time_since_epoch() < kSettleTime) Step();

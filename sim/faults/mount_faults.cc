@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace horopter::sim {
 namespace {
 
@@ -28,7 +30,9 @@ mjtNum* PositionOf(mjModel& model, int body, int camera) {
 
 }  // namespace
 
-MountFaults::MountFaults(World& world, const std::vector<Fault>& faults) : world_(world) {
+MountFaults::MountFaults(World& world, const std::vector<Fault>& faults,
+                         hardware::PerEye<std::string> cameras)
+    : world_(world), cameras_(std::move(cameras)) {
   for (const Fault& fault : faults) {
     if (const auto* baseline = std::get_if<WrongBaseline>(&fault.kind)) {
       baselines_.push_back({*baseline, fault.when});
@@ -45,7 +49,7 @@ void MountFaults::FindMounts() {
   mjModel& model = world_.mutable_model();
   hardware::PerEye<std::vector<int>> chains;
   for (const Eye eye : hardware::kBothEyes) {
-    mounts_[eye].camera = world_.Id(mjOBJ_CAMERA, ToString(eye));
+    mounts_[eye].camera = world_.Id(mjOBJ_CAMERA, cameras_[eye]);
     chains[eye] = Ancestry(model, model.cam_bodyid[mounts_[eye].camera]);
   }
   while (!chains.left.empty() && !chains.right.empty() &&

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <string>
 #include <vector>
 
 #include "hardware/types/eye.h"
@@ -17,16 +18,19 @@ namespace horopter::sim {
 /// Eyes that stand elsewhere, or otherwise, than the head's description says: a wrong baseline,
 /// cameras that sit crooked.
 ///
-/// They are moved in the world itself, so that images and truth show them where they are. The
-/// cameras are the scene's "left" and "right". Baseline errors move what carries an eye: the
-/// outermost body that carries it and not the other one, or the camera where both sit on one body.
+/// They are moved in the world itself, so that images and truth show them where they are. Of a head
+/// with several pairs each has its own MountFaults, all made before any is updated. Baseline errors
+/// move what carries an eye: the outermost body that carries it and not the other one, or the
+/// camera where both sit on one body.
 class MountFaults {
  public:
   /// Takes those of `faults` that concern the mounting; `world` must outlive this.
   /// @pre Validate(faults) is empty
+  /// @param cameras of the pair, by their names in the scene
   /// @throws SceneError when such a fault is given and the scene lacks one of the cameras
   /// @throws hardware::ConfigError when a baseline error would bring the eyes together
-  MountFaults(World& world, const std::vector<Fault>& faults);
+  MountFaults(World& world, const std::vector<Fault>& faults,
+              hardware::PerEye<std::string> cameras = {"left", "right"});
 
   bool none() const { return baselines_.empty() && misaligned_.empty(); }
 
@@ -56,6 +60,7 @@ class MountFaults {
   double BaselineError() const;
 
   World& world_;
+  hardware::PerEye<std::string> cameras_;
   std::vector<Timed<WrongBaseline>> baselines_;
   std::vector<Timed<MisalignedEye>> misaligned_;
   hardware::PerEye<Mount> mounts_;

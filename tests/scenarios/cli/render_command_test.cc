@@ -186,6 +186,17 @@ TEST_F(RenderCommand, AgainNamesTheFirstFileThatDiffers) {
               HasSubstr("the scene is another, though of the same files"));
 }
 
+TEST_F(RenderCommand, FaultsComeFromAFile) {
+  const std::string faults =
+      folder_.Write("f.yaml", "faults:\n  - dark_eye: {eye: left}\n").string();
+  const fs::path set =
+      Make("nao/workspace.xml --size 32x24 --duration 0.05 --faults '" + faults + "'", "set");
+  EXPECT_EQ(Manifest(set).at("request").at("faults").at(0).at("dark_eye").at("eye"), "left");
+  ExpectRefused("nao/workspace.xml --faults '" + faults + "'", "are a motion's");
+  const auto bad = folder_.Write("bad.yaml", "faults:\n  - dark_eye: {eye: middle}\n");
+  ExpectRefused("nao/workspace.xml --duration 1 --faults '" + bad.string() + "'", "bad.yaml:2:");
+}
+
 TEST_F(RenderCommand, AgainComparesTruthByTheManifestAloneToo) {
   const fs::path first = Make("koala/room.xml --size 32x24 --truth", "first");
   nlohmann::json manifest = Manifest(first);

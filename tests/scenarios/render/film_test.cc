@@ -10,7 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <utility>
 
+#include "hardware/types/config_error.h"
 #include "scenarios/dataset/csv.h"
 #include "scenarios/dataset/flo.h"
 #include "scenarios/dataset/state_tables.h"
@@ -229,6 +231,128 @@ TEST_F(FilmTest, AGlobalShutterTakesAllRowsAtOnce) {
   EXPECT_EQ(capture(0, "left_first_row_t_s"), capture(0, "left_last_row_t_s"));
 }
 
+TEST_F(FilmTest, AsManyFramesComeAsAreExpected) {
+  for (const double latency_s : {0.0, 0.013, 0.05}) {
+    for (const double duration_s : {0.2, 0.1999, 0.21}) {
+      RenderRequest request = Request("koala", "room.xml", "ideal", 20);
+      request.camera.profile.timing.latency_s = latency_s;
+      request.motion->duration_s = duration_s;
+      int expected = 0, came = 0;
+      RenderHooks hooks;
+      hooks.progress = [&expected](int, int all) { expected = all; };
+      hooks.frame = [&came](const DatasetFrame&) { ++came; };
+      const std::string name = fmt::format("{}_{}", latency_s, duration_s);
+      ASSERT_TRUE(RenderDataset(request, {folder_.path() / name, "", {}}, hooks));
+      EXPECT_EQ(came, expected) << name;
+    }
+  }
+}
+
+TEST_F(FilmTest, ASaccadeKeepsWhatItLeavesOut) {
+  RenderRequest request = Request("nao", "workspace.xml", "ideal", 10);
+  request.poses = {"", {"pan_deg", "tilt_deg"}, {{0, 12}}};
+  request.motion->duration_s = 0.8;
+  SaccadeCommand pan;
+  pan.gaze_deg[0] = 30;
+  request.motion->commands = {{0.1, pan}};
+  const Table path(Make(request) / "trajectory.csv");
+  EXPECT_NEAR(path(path.rows() - 1, "neck_pan_deg"), 30, 0.2);
+  EXPECT_NEAR(path(path.rows() - 1, "neck_tilt_deg"), 12, 0.2);
+}
+
+std::vector<FaultSpec> One(const FaultKind& kind, double from_s) {
+  FaultSpec fault;
+  fault.kind = kind;
+  fault.from_s = from_s;
+  return {fault};
+}
+
+double MeanGrey(const fs::path& image) {
+  const cv::Scalar mean = cv::mean(cv::imread(image.string()));
+  return (mean[0] + mean[1] + mean[2]) / 3;
+}
+
+TEST_F(FilmTest, OneEyeGoesDarkOnEveryHead) {
+  for (const auto& [robot, scene] :
+       {std::pair{"nao", "workspace.xml"}, {"yorick", "tabletop.xml"}, {"koala", "room.xml"}}) {
+    RenderRequest request = Request(robot, scene, "ideal", 20);
+    request.motion->duration_s = 0.3;
+    request.faults = One(DarkEyeFault{"right", 0}, 0.1);
+    const fs::path set = Make(request, robot);
+    EXPECT_EQ(ReadManifest(set).request.faults.at(0).kind, request.faults[0].kind);
+    const std::vector<std::string> pairs = std::string(robot) == "yorick"
+                                               ? std::vector<std::string>{"peripheral_", "foveal_"}
+                                               : std::vector<std::string>{""};
+    for (const std::string& pair : pairs) {
+      const std::string left = pair + "left.png", right = pair + "right.png";
+      EXPECT_GT(MeanGrey(set / "000000" / right), 20) << robot << pair;
+      EXPECT_GT(MeanGrey(set / "000005" / left), 20) << robot << pair;
+      EXPECT_EQ(MeanGrey(set / "000005" / right), 0) << robot << pair;
+    }
+  }
+}
+
+TEST_F(FilmTest, AnEyesZeroIsOffOnYorickForBothItsPairs) {
+  RenderRequest request = Request("yorick", "tabletop.xml", "ideal", 20);
+  request.motion->duration_s = 0.3;
+  const fs::path sound = Make(request, "sound");
+  request.faults = One(ZeroOffFault{"left", -3, 0}, 0);
+  const fs::path faulty = Make(request, "faulty");
+  const Table path(faulty / "trajectory.csv");
+  EXPECT_NEAR(path(path.rows() - 1, "left_pan_deg"), -3, 0.01);
+  EXPECT_NEAR(path(path.rows() - 1, "right_pan_deg"), 0, 0.01);
+  for (const std::string pair : {"peripheral_", "foveal_"}) {
+    const auto same = [&](const char* eye) {
+      const std::string image = "000005/" + pair + eye + ".png";
+      return Slurp(sound / image) == Slurp(faulty / image);
+    };
+    EXPECT_FALSE(same("left")) << pair;
+    EXPECT_TRUE(same("right")) << pair;
+  }
+}
+
+TEST_F(FilmTest, NaosEyesDoNotTurnButMaySitCrooked) {
+  RenderRequest request = Request("nao", "workspace.xml", "ideal", 20);
+  request.truth = true;
+  request.motion->duration_s = 0.15;
+  request.faults = One(ZeroOffFault{"left", 3, 0}, 0);
+  try {
+    Make(request, "zero_off");
+    ADD_FAILURE() << "an eye that does not turn has no zero";
+  } catch (const hardware::ConfigError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("robot nao has no axis left_pan"));
+  }
+  const fs::path sound = [&] {
+    RenderRequest without = request;
+    without.faults.clear();
+    return Make(without, "sound");
+  }();
+  request.faults = One(MisalignedEyeFault{"left", 4, 0}, 0);
+  const fs::path faulty = Make(request, "crooked");
+  for (const char* file : {"left.png", "left_depth.pfm"}) {
+    EXPECT_NE(Slurp(sound / "000002" / file), Slurp(faulty / "000002" / file)) << file;
+  }
+  EXPECT_EQ(Slurp(sound / "000002" / "right_depth.pfm"),
+            Slurp(faulty / "000002" / "right_depth.pfm"));
+}
+
+TEST_F(FilmTest, ASwappedPairAndAWrongBaselineReachTheFilesOfYorick) {
+  RenderRequest request = Request("yorick", "tabletop.xml", "ideal", 20);
+  request.motion->duration_s = 0.1;
+  const fs::path sound = Make(request, "sound");
+  request.faults = One(SwappedPairFault{}, 0);
+  const fs::path swapped = Make(request, "swapped");
+  request.faults = One(WrongBaselineFault{0.05}, 0);
+  const fs::path apart = Make(request, "apart");
+  for (const std::string pair : {"peripheral_", "foveal_"}) {
+    const std::string left = "000001/" + pair + "left.png", right = "000001/" + pair + "right.png";
+    EXPECT_EQ(Slurp(sound / left), Slurp(swapped / right)) << pair;
+    EXPECT_EQ(Slurp(sound / right), Slurp(swapped / left)) << pair;
+    EXPECT_NE(Slurp(sound / left), Slurp(apart / left)) << pair;
+    EXPECT_NE(Slurp(sound / right), Slurp(apart / right)) << pair;
+  }
+}
+
 TEST_F(FilmTest, WalkingCarriesTheTorsoThereAndSwaysIt) {
   RenderRequest request = Request("nao", "workspace.xml", "ideal", 10);
   request.motion->duration_s = 2.2;
@@ -251,6 +375,82 @@ TEST_F(FilmTest, WalkingCarriesTheTorsoThereAndSwaysIt) {
     return Eigen::Vector3d(Eigen::Vector3d::Zero());
   };
   EXPECT_NEAR((torso("000020") - torso("000000")).head<2>().norm(), 0.1, 0.025);
+}
+
+TEST_F(FilmTest, BothPairsOfYorickAreFilmedWithTruthBetweenThem) {
+  RenderRequest request = Request("yorick", "tabletop.xml", "ideal", 20);
+  request.truth = true;
+  request.between = {"peripheral_left:foveal_left"};
+  request.motion->duration_s = 0.15;
+  request.motion->commands = {Saccade(0, 5, 3)};
+  const fs::path frame = Make(request) / "000002";
+  for (const char* file :
+       {"peripheral_left.png", "peripheral_right.png", "foveal_left.png", "foveal_right.png",
+        "peripheral_left_disparity.flo", "foveal_left_disparity.flo"}) {
+    EXPECT_TRUE(fs::exists(frame / file)) << file;
+  }
+  const DisplacementMaps field = ReadFlo(frame / "peripheral_left_to_foveal_left_disparity.flo");
+  const cv::Mat seen = cv::imread(
+      (frame / "peripheral_left_to_foveal_left_visibility.png").string(), cv::IMREAD_UNCHANGED);
+  EXPECT_EQ(field.dx.size(), seen.size());
+  EXPECT_GT(cv::countNonZero(seen == 255), 50) << "the fovea lies within the periphery";
+}
+
+TEST_F(FilmTest, AWalkAtAVelocityGoesAsFarAsItSays) {
+  RenderRequest request = Request("nao", "workspace.xml", "ideal", 5);
+  request.motion->duration_s = 3;
+  request.motion->commands = {{0, WalkCommand{0.06, 0, 0}}};
+  const fs::path set = Make(request);
+  const Table path(set / "trajectory.csv");
+  const double last_s = path(path.rows() - 1, "base_x_m") - path(path.rows() - 501, "base_x_m");
+  const double t_s = path(path.rows() - 1, "t_s") - path(path.rows() - 501, "t_s");
+  EXPECT_NEAR(last_s / t_s, 0.06, 0.006);
+  const auto outcome = nlohmann::json::parse(Slurp(set / "manifest.json")).at("motion_outcome");
+  EXPECT_EQ(outcome.at(0).at("command"), "walk");
+  EXPECT_EQ(outcome.at(0).at("reached"), true);
+}
+
+TEST_F(FilmTest, TheKoalaDrivesAtTheSpeedItIsTold) {
+  RenderRequest request = Request("koala", "room.xml", "ideal", 5);
+  request.motion->duration_s = 1.5;
+  request.motion->commands = {{0, DriveCommand{0.2, 0}}};
+  const fs::path set = Make(request);
+  const Table path(set / "trajectory.csv");
+  const std::size_t last = path.rows() - 1, before = path.rows() / 2;
+  EXPECT_NEAR((path(last, "base_x_m") - path(before, "base_x_m")) /
+                  (path(last, "t_s") - path(before, "t_s")),
+              0.2, 0.01);
+  EXPECT_NEAR(path(last, "base_yaw_deg"), 0, 0.5);
+  const auto outcome = nlohmann::json::parse(Slurp(set / "manifest.json")).at("motion_outcome");
+  EXPECT_EQ(outcome.at(0).at("reached"), true);
+  EXPECT_NEAR(outcome.at(0).at("end_pose").at("x_m"), path(last, "base_x_m"), 1e-6);
+}
+
+TEST_F(FilmTest, AWalkThatDoesNotArriveIsSaid) {
+  RenderRequest request = Request("nao", "workspace.xml", "ideal", 5);
+  request.motion->duration_s = 1;
+  request.motion->commands = {{0, WalkToCommand{1, 0, 0}}};
+  std::string note;
+  RenderHooks hooks;
+  hooks.note = [&note](const std::string& line) { note = line; };
+  const fs::path set = folder_.path() / "set";
+  ASSERT_TRUE(RenderDataset(request, {set, "", {}}, hooks));
+  EXPECT_THAT(note, testing::HasSubstr("walk_to at 0 s: the target was not reached"));
+  const auto outcome = nlohmann::json::parse(Slurp(set / "manifest.json")).at("motion_outcome");
+  EXPECT_EQ(outcome.at(0).at("reached"), false);
+}
+
+TEST(MotionWatch, ABaseThatStandsWhileToldToDriveIsStalled) {
+  const MotionCommand drive{0, DriveCommand{0.2, 0}};
+  for (const double speed : {0.2, 0.0}) {
+    MotionWatch watch;
+    watch.Told(drive, {});
+    for (int i = 1; i <= 200; ++i) watch.Step(i * 0.01, {i * 0.01 * speed, 0, 0});
+    const auto outcomes = watch.Outcomes({2 * speed, 0, 0});
+    ASSERT_EQ(outcomes.size(), 1u);
+    EXPECT_EQ(outcomes[0].reached, speed > 0);
+    EXPECT_EQ(WhatWasNotReached(outcomes).empty(), speed > 0);
+  }
 }
 
 TEST_F(FilmTest, InterruptedItSaysSoAndKeepsItsTables) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "hardware/types/config_error.h"
 #include "scenarios/format/diagnostics.h"
@@ -54,7 +56,7 @@ commands:
   EXPECT_EQ(motion.commands[0].at_s, 0.5);
   const auto& saccade = std::get<SaccadeCommand>(motion.commands[0].what);
   EXPECT_EQ(saccade.gaze_deg[1], -5);
-  EXPECT_EQ(saccade.gaze_deg[2], SaccadeCommand::kLeftOut);
+  EXPECT_FALSE(saccade.gaze_deg[2].has_value());
   EXPECT_EQ(motion.commands[1], (MotionCommand{1, WalkToCommand{0.3, 0, 20}}));
   EXPECT_EQ(motion.commands[2], (MotionCommand{5, WalkCommand{0.05, 0, 0}}));
   EXPECT_NO_THROW(CheckMotion(motion, Robot("nao")));
@@ -99,15 +101,52 @@ TEST_F(MotionTest, WhatARobotCannotDoIsRefused) {
 TEST_F(MotionTest, ASaccadeLeadsWhereTheGazeOrTheAxesSay) {
   const HeadReach koala(Robot("koala"));
   SaccadeCommand gaze;
-  gaze.gaze_deg = {10, -5, SaccadeCommand::kLeftOut};
-  const hardware::HeadAngles turned = AnglesOf(gaze, koala, "");
+  gaze.gaze_deg = {10, -5, std::nullopt};
+  const hardware::HeadAngles turned = AnglesOf(gaze, {}, koala, "");
   EXPECT_NEAR(turned.left.pan_rad, 10 * kRadians, 1e-12);
   EXPECT_NEAR(turned.right.tilt_rad, -5 * kRadians, 1e-12);
   SaccadeCommand axes;
   axes.axis_deg[2] = 7;
-  const hardware::HeadAngles one = AnglesOf(axes, koala, "");
+  const hardware::HeadAngles one = AnglesOf(axes, {}, koala, "");
   EXPECT_NEAR(one.left.pan_rad, 7 * kRadians, 1e-12);
   EXPECT_EQ(one.right.pan_rad, 0);
+}
+
+TEST_F(MotionTest, WhatASaccadeLeavesOutStaysAsItWas) {
+  for (const char* name : {"koala", "nao", "yorick"}) {
+    const HeadReach reach(Robot(name));
+    const double vergence_deg = std::string(name) == "nao" ? 0 : 4;
+    const hardware::HeadAngles before = reach.AnglesOf({5, 12, vergence_deg});
+    SaccadeCommand pan;
+    pan.gaze_deg[0] = 15;
+    EXPECT_EQ(hardware::ToArray(AnglesOf(pan, before, reach, "")),
+              hardware::ToArray(reach.AnglesOf({15, 12, vergence_deg})))
+        << name;
+  }
+  const HeadReach yorick(Robot("yorick"));
+  SaccadeCommand axis;
+  axis.axis_deg[2] = -3;
+  const hardware::HeadAngles turned = AnglesOf(axis, yorick.AnglesOf({20, 10, 2}), yorick, "");
+  EXPECT_NEAR(turned.left.pan_rad, -3 * kRadians, 1e-12);
+  EXPECT_NEAR(turned.neck.pan_rad, 20 * kRadians, 1e-12);
+  EXPECT_NEAR(turned.neck.tilt_rad, 10 * kRadians, 1e-12);
+  EXPECT_NEAR(turned.right.pan_rad, 1 * kRadians, 1e-12);
+}
+
+TEST_F(MotionTest, WhatStaysIsHeldAgainstTheRobotToo) {
+  const Motion motion = Read("commands: [{saccade: {pan_deg: 87}}]");
+  EXPECT_NO_THROW(CheckMotion(motion, Robot("nao")));
+  const hardware::HeadAngles down = HeadReach(Robot("nao")).AnglesOf({0, 29, 0});
+  EXPECT_THROW(CheckMotion(motion, Robot("nao"), down), hardware::ConfigError);
+}
+
+TEST_F(MotionTest, EveryBadCommandIsNamed) {
+  ExpectRefused("nao", "commands: [{drive: {}}, {walk: {at_s: 2, forward_m_s: 0.5}}]",
+                "motion: at 0 s: drive");
+  ExpectRefused("nao", "commands: [{drive: {}}, {walk: {at_s: 2, forward_m_s: 0.5}}]",
+                "motion: at 2 s: walk: forward_m_s = 0.5");
+  ExpectRefused("nao", "commands: [{drive: {}}, {walk: {at_s: 2, forward_m_s: 0.5}}]",
+                "the motion ends at 1 s");
 }
 
 }  // namespace
