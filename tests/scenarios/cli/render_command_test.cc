@@ -186,6 +186,13 @@ TEST_F(RenderCommand, AgainNamesTheFirstFileThatDiffers) {
               HasSubstr("the scene is another, though of the same files"));
 }
 
+TEST_F(RenderCommand, ProgressIsForTerminalsOnly) {
+  const Ran ran =
+      Horopter("render koala/room.xml --size 32x24 --random 2 --out '" + At("set") + "'");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_THAT(ran.output, testing::Not(HasSubstr("\r")));
+}
+
 TEST_F(RenderCommand, FaultsComeFromAFile) {
   const std::string faults =
       folder_.Write("f.yaml", "faults:\n  - dark_eye: {eye: left}\n").string();

@@ -453,6 +453,19 @@ TEST(MotionWatch, ABaseThatStandsWhileToldToDriveIsStalled) {
   }
 }
 
+TEST_F(FilmTest, TablesHaveNeitherNoiseNorNegativeZeros) {
+  RenderRequest request = Request("nao", "workspace.xml", "ideal", 20);
+  request.motion->duration_s = 0.2;
+  request.motion->commands = {Saccade(0, 5, 0)};
+  const fs::path set = Make(request);
+  for (const char* file : {"index.csv", "trajectory.csv"}) {
+    std::string text = Slurp(set / file);
+    std::replace(text.begin(), text.end(), '\n', ',');
+    EXPECT_THAT(text, testing::Not(testing::ContainsRegex("e-1[0-9]"))) << file;
+    EXPECT_THAT(text, testing::Not(testing::ContainsRegex(",-0(\\.0*)?,"))) << file;
+  }
+}
+
 TEST_F(FilmTest, InterruptedItSaysSoAndKeepsItsTables) {
   RenderRequest request = Request("koala", "room.xml", "ideal", 25);
   request.motion->commands = {{0, DriveCommand{0.2, 0}}};

@@ -280,6 +280,25 @@ TEST_F(RenderDatasetTest, InterruptedSetSaysThatItIsIncomplete) {
   EXPECT_THAT(Text(output.folder / "manifest.json"), HasSubstr("\"complete\": false"));
 }
 
+TEST(ContactSheet, ASpreadHoldsTheFirstAndTheLastFrame) {
+  DatasetFrame frame;
+  const DatasetEye eye{
+      {hardware::Pose::Identity(), hardware::CameraModel::FromHorizontalFov(32, 24, 1)},
+      cv::Mat3b(24, 32, cv::Vec3b::all(0)),
+      {},
+      {},
+      {}};
+  frame.pairs.push_back({"", eye, eye});
+  std::vector<int> taken;
+  ContactSheet sheet(4);
+  for (int i = 0; i < 31; ++i) {
+    const int rows = sheet.picture().rows;
+    sheet.AddSpread(frame, i, 31);
+    if (sheet.picture().rows > rows) taken.push_back(i);
+  }
+  EXPECT_EQ(taken, (std::vector<int>{0, 10, 20, 30}));
+}
+
 TEST_F(RenderDatasetTest, ContactSheetHasARowPerFrame) {
   RenderRequest request = Request("koala", "room.xml");
   request.poses = Gazes({{0, 0, 0}, {5, 0, 2}});
