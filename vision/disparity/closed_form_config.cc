@@ -38,7 +38,8 @@ std::vector<hardware::FieldError> ClosedFormConfig::Validate() const {
   c.Require(favour_own >= 0 && favour_own < 0.5, "favour_own", favour_own, "must be in [0, 0.5)");
   c.Require(finest_octave >= 0 && finest_octave <= search_octave, "finest_octave", finest_octave,
             "must be 0 to search_octave");
-  c.Require(Positive(max_noise_grey), "max_noise_grey", max_noise_grey, "must be positive");
+  c.Require(Positive(max_noise_to_texture), "max_noise_to_texture", max_noise_to_texture,
+            "must be positive");
   c.Require(Positive(score_pool_px), "score_pool_px", score_pool_px, "must be positive");
   c.Require(Positive(score_pool_grey), "score_pool_grey", score_pool_grey, "must be positive");
   c.Require(Positive(product_pool_px), "product_pool_px", product_pool_px, "must be positive");

@@ -57,9 +57,10 @@ struct ClosedFormConfig {
   double favour_own = 0.02;
   /// The last octave that is matched; the field is then doubled to full size. 0: full size.
   int finest_octave = 0;
-  /// Octaves with more noise than this are not matched [grey levels]; each has about a third of the
-  /// one before (NoiseLevel measures it). Receptive fields as small as these are drowned by it.
-  double max_noise_grey = 2.5;
+  /// Octaves are not matched where noise is more than this multiple of the texture's contrast
+  /// (NoiseLevel of the image, TextureLevel at half its size): receptive fields as small as these
+  /// are drowned by it. Each octave has about a third of the noise of the one before.
+  double max_noise_to_texture = 1;
 
   // --- Pooling: domain transform filters of the left image's colours ---
 

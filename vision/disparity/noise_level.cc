@@ -7,7 +7,11 @@
 
 namespace horopter::vision {
 
-double NoiseLevel(const cv::Mat1f& grey) {
+namespace {
+
+/// The share of all second differences that is smaller, in deviations of the noise that would make
+/// their median.
+double Quantile(const cv::Mat1f& grey, double share) {
   // The operator's weights have a root sum of squares of 6; the median magnitude of a Gaussian is
   // 0.6745 of its deviation.
   constexpr double kMedianOfUnit = 6 * 0.6745;
@@ -21,10 +25,17 @@ double NoiseLevel(const cv::Mat1f& grey) {
     }
   }
   if (magnitudes.empty()) return 0;
-  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
-  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-  return *middle / kMedianOfUnit;
+  const auto at = magnitudes.begin() +
+                  static_cast<std::ptrdiff_t>(share * static_cast<double>(magnitudes.size() - 1));
+  std::nth_element(magnitudes.begin(), at, magnitudes.end());
+  return *at / kMedianOfUnit;
 }
+
+}  // namespace
+
+double NoiseLevel(const cv::Mat1f& grey) { return Quantile(grey, 0.5); }
+
+double TextureLevel(const cv::Mat1f& grey) { return Quantile(grey, 0.8); }
 
 double NoiseAtOctave(double noise_grey, int octave) {
   // Of white noise; what is left is smoother, and dies more slowly after.

@@ -11,6 +11,11 @@ namespace horopter::vision {
 /// upper bound. 0 for an image with a side under 3 px.
 double NoiseLevel(const cv::Mat1f& grey);
 
+/// The contrast of what is textured in an image, noise included, in the unit of NoiseLevel [grey
+/// levels]: the same differences, of which a fifth is larger. Of an image of half the size, where
+/// little noise is left, it tells what texture the full one has to set against its noise.
+double TextureLevel(const cv::Mat1f& grey);
+
 /// What is left of white noise of the full image at an octave of its [1 4 6 4 1]/16 pyramid.
 double NoiseAtOctave(double noise_grey, int octave);
 

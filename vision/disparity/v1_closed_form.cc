@@ -72,8 +72,10 @@ void V1ClosedFormEstimator::Respond(const cv::Mat& left, const cv::Mat& right) {
   tbb::parallel_invoke([&] { left_.Build(left, octaves); }, [&] { right_.Build(right, octaves); });
   // One of both, so that the octaves correspond.
   const double noise = std::max(left_.noise_grey(), right_.noise_grey());
+  const double most =
+      config_.max_noise_to_texture * std::min(left_.texture_grey(), right_.texture_grey());
   int finest = config_.finest_octave;
-  while (NoiseAtOctave(noise, finest) > config_.max_noise_grey) ++finest;
+  while (finest + 1 < left_.size() && NoiseAtOctave(noise, finest) > most) ++finest;
   tbb::parallel_invoke([&] { left_.Respond(finest, noise, bank_, kernels_); },
                        [&] { right_.Respond(finest, noise, bank_, kernels_); });
 }

@@ -36,6 +36,7 @@ void ViewPyramid::Build(const cv::Mat& image, int octaves) {
     if (std::min(last.width, last.height) < 2 * kLeastSide) break;
     Halve(size_++);
   }
+  texture_grey_ = TextureLevel(GreyOf(octaves_[std::min(1, size_ - 1)]));
 }
 
 void ViewPyramid::Respond(int finest, double noise_grey, const CellBank& bank,

@@ -40,6 +40,8 @@ class ViewPyramid {
   int finest() const { return finest_; }
   /// Of the full image (NoiseLevel).
   double noise_grey() const { return noise_grey_; }
+  /// Of the second octave, or the only one (TextureLevel).
+  double texture_grey() const { return texture_grey_; }
   const ViewOctave& operator[](int octave) const { return octaves_[octave]; }
 
  private:
@@ -48,6 +50,7 @@ class ViewPyramid {
   int size_ = 0;
   int finest_ = 0;
   double noise_grey_ = 0;
+  double texture_grey_ = 0;
   cv::Mat1b grey_8_;
   std::vector<ViewOctave> octaves_;
 };

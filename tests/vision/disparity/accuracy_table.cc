@@ -152,7 +152,7 @@ void PrintAblation(const std::string& data) {
 
 void WritePictures(const std::string& file, const AccuracyScene& scene,
                    const std::vector<MethodResult>& results) {
-  constexpr int kWidth = 720;
+  constexpr int kWidth = 640;
   std::vector<std::pair<std::string, DisparityField>> fields;
   for (const MethodResult& result : results) fields.emplace_back(result.name, result.field);
   if (!cv::imwrite(file, ComparePictures(scene.pair, fields, kWidth))) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -28,6 +29,25 @@ TEST(NoiseLevel, IsThatOfTheNoiseOnSlopesAndSteps) {
     EXPECT_NEAR(NoiseLevel(Noisy({320, 240}, sigma)), sigma, 0.05 * sigma);
   }
   EXPECT_NEAR(NoiseLevel(Noisy({320, 240}, 0)), 0, 1e-4);
+}
+
+TEST(TextureLevel, OfHalfTheSizeHearsTextureAndLittleNoise) {
+  cv::Mat1f texture(480, 640);
+  for (int y = 0; y < texture.rows; ++y) {
+    for (int x = 0; x < texture.cols; ++x) {
+      texture(y, x) = static_cast<float>(100 + 20 * std::sin(x / 1.5) * std::cos(y / 1.5));
+    }
+  }
+  const auto at_half = [](const cv::Mat1f& image) {
+    cv::Mat1f half;
+    cv::pyrDown(image, half);
+    return TextureLevel(half);
+  };
+  const double clean = at_half(texture);
+  EXPECT_GT(clean, 1);
+  EXPECT_NEAR(at_half(texture + Noisy(texture.size(), 4) - Noisy(texture.size(), 0)), clean,
+              0.3 * clean);
+  EXPECT_LT(at_half(Noisy(texture.size(), 4)), 0.5 * NoiseLevel(Noisy(texture.size(), 4)));
 }
 
 TEST(NoiseLevel, IsNoneWhereTheOperatorDoesNotFit) {

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Makes results/paper/disparity_tables.md, disparity_time.svg and disparity_fields.png: accuracy,
 # time, robustness, memory and ablation of the disparity methods on real and rendered pairs.
-# Needs a release build (./test makes one), the published pairs (real_pair.h says where), and a
-# quarter of an hour of an idle machine.
+# Needs a release build (./test makes one), the published pairs (real_pair.h says where), pngquant,
+# and five minutes of an idle machine.
 #   tests/vision/disparity/paper_tables.sh
 set -eu
 cd "$(dirname "$0")/../../.."
@@ -48,4 +48,5 @@ render yorick_table_near yorick/tabletop.xml --vergence 12 --camera peripheral
   done
 } >"$out/disparity_tables.md"
 "$accuracy" --methods v1:accurate,v1:dense,v1:realtime,dis:medium --parts scenes --scene "verged A" \
-  --repeat 1 --pictures "$out/disparity_fields.png" >/dev/null
+  --repeat 1 --pictures "$work/fields.png" >/dev/null
+pngquant --force --output "$out/disparity_fields.png" 64 "$work/fields.png"
