@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/disparity/v1_config.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -10,12 +9,6 @@
 #include "vision/disparity/gabor_bank.h"
 
 namespace horopter::vision {
-namespace {
-
-bool Positive(double v) { return std::isfinite(v) && v > 0; }
-bool NotNegative(double v) { return std::isfinite(v) && v >= 0; }
-
-}  // namespace
 
 std::vector<hardware::FieldError> V1Config::Validate() const {
   if (form == V1Form::kClosedForm) return closed_form.Validate();
@@ -27,35 +20,31 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
             "must be 2 to 16");
   c.Require(filter_px % 2 == 1 && filter_px >= 3 && filter_px <= 63, "filter_px", filter_px,
             "must be odd, 3 to 63");
-  c.Require(Positive(peak_frequency) && peak_frequency < 0.5, "peak_frequency", peak_frequency,
+  c.Require(peak_frequency > 0 && peak_frequency < 0.5, "peak_frequency", peak_frequency,
             "must be between 0 and 0.5 cycles/px");
-  c.Require(Positive(envelope_sigma_px), "envelope_sigma_px", envelope_sigma_px,
-            "must be positive");
+  c.Positive("envelope_sigma_px", envelope_sigma_px);
   c.Require(phase_shifts >= 3 && phase_shifts <= kMaxPhaseShifts, "phase_shifts", phase_shifts,
             "must be 3 to 15");
-  c.Require(Positive(max_disparity_px) && max_disparity_px * peak_frequency < 0.5,
-            "max_disparity_px", max_disparity_px,
-            "must be positive and less than half a period of peak_frequency");
+  c.Require(max_disparity_px > 0 && max_disparity_px * peak_frequency < 0.5, "max_disparity_px",
+            max_disparity_px, "must be positive and less than half a period of peak_frequency");
   c.Require(energy_exponent >= 0.05 && energy_exponent <= 2, "energy_exponent", energy_exponent,
             "must be 0.05 to 2");
-  c.Require(Positive(readout_gain) && readout_gain <= 10, "readout_gain", readout_gain,
+  c.Require(readout_gain > 0 && readout_gain <= 10, "readout_gain", readout_gain,
             "must be above 0 and at most 10");
   c.Require(min_pooled > 0 && min_pooled <= 1, "min_pooled", min_pooled,
             "must be above 0 and at most 1");
   c.Require(response_threshold >= 0 && response_threshold < 1, "response_threshold",
             response_threshold, "must be in [0, 1)");
-  c.Require(Positive(saturation_grey), "saturation_grey", saturation_grey, "must be positive");
-  c.Require(Positive(noise_grey), "noise_grey", noise_grey, "must be positive");
-  c.Require(Positive(min_signal_to_noise), "min_signal_to_noise", min_signal_to_noise,
-            "must be positive");
-  c.Require(NotNegative(min_orientation_response), "min_orientation_response",
-            min_orientation_response, "must not be negative");
+  c.Positive("saturation_grey", saturation_grey);
+  c.Positive("noise_grey", noise_grey);
+  c.Positive("min_signal_to_noise", min_signal_to_noise);
+  c.NotNegative("min_orientation_response", min_orientation_response);
   c.Require(min_orientations >= 2 && min_orientations <= orientations, "min_orientations",
             min_orientations, "must be 2 to orientations");
-  c.Require(Positive(min_conditioning) && min_conditioning < 1, "min_conditioning",
-            min_conditioning, "must be between 0 and 1");
-  c.Require(NotNegative(pooling_sigma_px) && pooling_sigma_px <= 10, "pooling_sigma_px",
-            pooling_sigma_px, "must be in [0, 10]");
+  c.Require(min_conditioning > 0 && min_conditioning < 1, "min_conditioning", min_conditioning,
+            "must be between 0 and 1");
+  c.Require(pooling_sigma_px >= 0 && pooling_sigma_px <= 10, "pooling_sigma_px", pooling_sigma_px,
+            "must be in [0, 10]");
   c.Require(scales >= 1 && scales <= 12, "scales", scales, "must be 1 to 12");
   c.Require(min_side_px >= 1, "min_side_px", min_side_px, "must be at least 1");
   c.Require(iterations >= 1 && iterations <= 100, "iterations", iterations, "must be 1 to 100");
@@ -65,13 +54,12 @@ std::vector<hardware::FieldError> V1Config::Validate() const {
             "must be 0 to 12");
   c.Require(min_correlation >= -1 && min_correlation < 1, "min_correlation", min_correlation,
             "must be in [-1, 1)");
-  c.Require(NotNegative(left_right_px), "left_right_px", left_right_px, "must not be negative");
+  c.NotNegative("left_right_px", left_right_px);
   c.Require(border_px >= 0, "border_px", border_px, "must not be negative");
   c.Require(min_segment_px >= 0, "min_segment_px", min_segment_px, "must not be negative");
-  c.Require(NotNegative(segment_step_px), "segment_step_px", segment_step_px,
-            "must not be negative");
-  c.Require(Positive(fill.reach_px), "fill.reach_px", fill.reach_px, "must be positive");
-  c.Require(Positive(fill.colour_grey), "fill.colour_grey", fill.colour_grey, "must be positive");
+  c.NotNegative("segment_step_px", segment_step_px);
+  c.Positive("fill.reach_px", fill.reach_px);
+  c.Positive("fill.colour_grey", fill.colour_grey);
   c.Require(fill.passes >= 1 && fill.passes <= 10, "fill.passes", fill.passes, "must be 1 to 10");
   return c.Take();
 }

@@ -20,6 +20,7 @@
 #include "scenarios/render/render_dataset.h"
 #include "scenarios/render/request_checks.h"
 #include "tests/scenarios/format/corpus.h"
+#include "tests/scenarios/render/same_parts.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -182,19 +183,7 @@ TEST_F(FilmTest, TruthLeadsToTheSameSurfaceThoughTheEyesLookAtDifferentTimes) {
   };
   const cv::Mat left = picture("left_parts.png"), right = picture("right_parts.png");
   const cv::Mat seen = picture("left_visibility.png");
-  int same = 0, all = 0;
-  for (int v = 0; v < left.rows; ++v) {
-    for (int u = 0; u < left.cols; ++u) {
-      if (seen.at<uchar>(v, u) != 255) continue;
-      const int x = static_cast<int>(std::lround(u + field.dx(v, u)));
-      const int y = static_cast<int>(std::lround(v + field.dy(v, u)));
-      if (x < 0 || y < 0 || x >= right.cols || y >= right.rows) continue;
-      ++all;
-      same += right.at<std::uint16_t>(y, x) == left.at<std::uint16_t>(v, u) ? 1 : 0;
-    }
-  }
-  EXPECT_GT(all, left.rows * left.cols / 2);
-  EXPECT_GT(same, all * 95 / 100);
+  ExpectSameParts(left, right, field, seen);
 }
 
 // Truth is of one instant, though rows are not; the tables say which, and when the rows are.

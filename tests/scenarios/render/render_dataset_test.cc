@@ -19,6 +19,7 @@
 #include "scenarios/render/contact_sheet.h"
 #include "scenarios/render/manifest.h"
 #include "tests/scenarios/format/corpus.h"
+#include "tests/scenarios/render/same_parts.h"
 
 namespace horopter::scenarios {
 namespace {
@@ -98,19 +99,7 @@ TEST_F(RenderDatasetTest, FlowLiesOnThePixelsOfTheFrameBefore) {
   const cv::Mat before = Picture(set / "000000" / "left_parts.png");
   const cv::Mat after = Picture(set / "000001" / "left_parts.png");
   const cv::Mat seen = Picture(set / "000001" / "left_flow_previous_to_this_visibility.png");
-  int same = 0, all = 0;
-  for (int v = 0; v < before.rows; ++v) {
-    for (int u = 0; u < before.cols; ++u) {
-      if (seen.at<uchar>(v, u) != 255) continue;
-      const int x = static_cast<int>(std::lround(u + flow.dx(v, u)));
-      const int y = static_cast<int>(std::lround(v + flow.dy(v, u)));
-      if (x < 0 || y < 0 || x >= after.cols || y >= after.rows) continue;
-      ++all;
-      same += after.at<std::uint16_t>(y, x) == before.at<std::uint16_t>(v, u) ? 1 : 0;
-    }
-  }
-  EXPECT_GT(all, before.rows * before.cols / 2);
-  EXPECT_GT(same, all * 95 / 100);
+  ExpectSameParts(before, after, flow, seen);
 }
 
 TEST_F(RenderDatasetTest, EveryPairOfAHeadIsInItUnderItsName) {

@@ -189,7 +189,8 @@ TEST(AccuracyRuns, ScoresEveryMethodThatThePairIsFor) {
 }
 
 TEST(AccuracyPlot, ShowsEveryMethodThatEstimatedAnything) {
-  MethodResult good{"v1:fast", {}, 100}, poor{"dis:fast", {}, 10}, none{"bm:block_9", {}, 5};
+  MethodResult good{"v1:fast", {}, 100, {}}, poor{"dis:fast", {}, 10, {}};
+  const MethodResult none{"bm:block_9", {}, 5, {}};
   good.score.estimated = poor.score.estimated = 100;
   good.score.density = poor.score.density = 1;
   good.score.bad_estimated = {0.4, 0.3, 0.02, 0.01};
