@@ -30,7 +30,7 @@ std::string Text(cv::Size size) {
 
 /// An image too large is an error, not the end of the process by lack of memory.
 void RequireMemory(cv::Size size) {
-  constexpr double kMbPerPixel = 220e-6, kMostMb = 8000;
+  constexpr double kMbPerPixel = 260e-6, kMostMb = 8000;
   const double needed_mb = kMbPerPixel * size.width * size.height;
   if (needed_mb <= kMostMb) return;
   throw std::invalid_argument("v1 takes " + std::to_string(static_cast<int>(needed_mb)) +

@@ -76,7 +76,7 @@ V1Config V1Config::Preset(std::string_view name) {
     c.iterations = 2;
     c.neighbour_px = {1, 6, 24, 0};
     c.try_steps_from = 1;
-    // The coherence is measured before the only refinement, where it is lower.
+    // The coherence is measured before the refinements, and fewer neighbours find less of it.
     c.min_coherence = 0.25;
     if (name == "fast") return config;
     c.finest_octave = 1;

@@ -169,9 +169,9 @@ struct V1Config {
   /// Every field that does not hold, of the form that is chosen.
   std::vector<hardware::FieldError> Validate() const;
 
-  /// Closed form: "accurate": its defaults. "fast": fewer neighbours, octaves
-  /// explored and intersections. "realtime":
-  /// the same at half size, doubled. "dense": "accurate", filled in.
+  /// Closed form: "accurate": its defaults. "fast": fewer neighbours, steps, octaves explored and
+  /// intersections, and a lower least coherence. "realtime": "fast" at half size, doubled, with a
+  /// higher one. "dense": "accurate", filled in.
   /// Population form: "checked": the defaults above. "cautious": what a robot may drive by, webcam
   /// noise and only what the finest octave itself sees, at the price of density. "paper_2009" and
   /// "paper_2018": the published models alone. Where 2018's leaves a choice: as readout_gain and

@@ -39,8 +39,6 @@ std::vector<Ablation> Ablations() {
   });
   without("4 orientations", [](ClosedFormConfig& c) { c.orientations = 4; });
   without("8 orientations", [](ClosedFormConfig& c) { c.orientations = 8; });
-  without("no divisive normalisation of orientations",
-          [](ClosedFormConfig& c) { c.saturation_grey = 1000; });
   without("no competition with neighbours", [](ClosedFormConfig& c) { c.neighbour_px = {}; });
   without("no far neighbours (1 and 4 px only)", [](ClosedFormConfig& c) {
     c.neighbour_px = {1, 4, 0, 0};
